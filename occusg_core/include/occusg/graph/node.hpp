@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "occusg/geometry/cell.hpp"
+#include "occusg/geometry/pose.hpp"
+#include "occusg/graph/room.hpp"
+
+namespace occusg {
+
+/// Type offset plus a counter per type; never used again after a removal.
+using NodeId = std::int64_t;
+
+/// In the order of `NodeAttributes`.
+enum class NodeType { kAgent, kObject, kNavigation, kRoom, kDoor };
+inline constexpr std::size_t kNodeTypeCount = 5;
+
+/// First id of a type. A type holds the ids up to the next type's first one.
+[[nodiscard]] constexpr NodeId firstId(NodeType type) {
+  constexpr NodeId kFirst[kNodeTypeCount] = {0, 1'000'000, 2'000'000, 4'000'000, 5'000'000};
+  return kFirst[static_cast<std::size_t>(type)];
+}
+/// One past the last id of any type.
+inline constexpr NodeId kIdEnd = 6'000'000;
+
+/// "AGENT", "OBJECT", "NAVIGATION", "ROOM" or "DOOR".
+[[nodiscard]] const char* nameOf(NodeType type);
+
+/// The robot at one moment.
+struct AgentAttributes {
+  Pose T_map_camera = Pose::Identity();
+};
+
+struct ObjectAttributes {
+  std::string class_name;  ///< Empty: no class known.
+  double score = 0.0;      ///< Of the detection, 0..1.
+};
+
+/// A block of free space.
+struct NavigationAttributes {
+  Cell block;          ///< Position in the lattice of blocks, aligned to world zero.
+  int free_cells = 0;  ///< Free cells in the block.
+};
+
+/// A passage between two rooms.
+struct DoorAttributes {
+  Segment2 segment;  ///< Map frame [m].
+};
+
+using NodeAttributes = std::variant<AgentAttributes, ObjectAttributes, NavigationAttributes,
+                                    RoomAttributes, DoorAttributes>;
+
+struct Node {
+  NodeId id = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Map frame [m].
+  double created_s = 0.0;
+  double last_seen_s = 0.0;
+  int floor_id = 0;
+  NodeAttributes attributes;
+
+  [[nodiscard]] NodeType type() const { return static_cast<NodeType>(attributes.index()); }
+  [[nodiscard]] Point2 groundPosition() const { return {position.x(), position.y()}; }
+};
+
+}  // namespace occusg

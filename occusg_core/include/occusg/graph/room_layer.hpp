@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "occusg/graph/entity_assignment.hpp"
+#include "occusg/graph/region_snapshot.hpp"
+#include "occusg/graph/relinking.hpp"
+#include "occusg/graph/room_layer_config.hpp"
+#include "occusg/graph/scene_graph.hpp"
+
+namespace occusg {
+
+enum class Maintenance { kNotDue, kDue };
+
+/// Anchors rooms to tracked regions, one to one (paper, Sec. 3.3), and entities to rooms.
+///
+/// One update is one sequence: lost rooms move to the successors of their regions; the robot's
+/// region gets a room or refreshes the one it has; and, when maintenance is due, all footprints are
+/// refreshed, unowned regions with evidence become rooms, and rooms without a region go. Because
+/// succession comes first, the room the robot is in keeps its id. A stale or empty update changes
+/// no room.
+class RoomLayer {
+ public:
+  explicit RoomLayer(const RoomLayerConfig& config);
+
+  /// @param robot where the robot is, in the ground plane.
+  void update(SceneGraph& graph, const TrackedRegions& tracked, const Point2& robot, double stamp_s,
+              Maintenance maintenance);
+
+  /// Maintenance after the last update: what waits for time to pass is decided now. With
+  /// PromotionEvidence::kObservedArea regions become rooms even if none ever held the robot.
+  void finish(SceneGraph& graph, double stamp_s);
+
+  [[nodiscard]] std::optional<NodeId> currentRoom() const { return current_room_; }
+  [[nodiscard]] const EntityAssignment& assignment() const { return assignment_; }
+
+ private:
+  /// Whether the age of a region and the grace of a room still count.
+  enum class Decisions { kWait, kNow };
+
+  [[nodiscard]] std::optional<NodeId> ownerOf(int region) const;
+  [[nodiscard]] std::vector<LostRoom> lostRooms(const SceneGraph& graph) const;
+  [[nodiscard]] bool deservesRoom(const Region& region, const std::set<int>& inhabited,
+                                  double stamp_s, Decisions decisions) const;
+
+  void noteSupport(SceneGraph& graph, double stamp_s);
+  void returnToFormerRegions(SceneGraph& graph, double stamp_s);
+  void moveToSuccessors(SceneGraph& graph, double stamp_s);
+  void followRobot(SceneGraph& graph, const Point2& robot, double stamp_s);
+
+  void maintain(SceneGraph& graph, double stamp_s, Decisions decisions);
+  void promote(SceneGraph& graph, double stamp_s, Decisions decisions);
+  void prune(SceneGraph& graph, double stamp_s, Decisions decisions);
+  void syncContainment(SceneGraph& graph) const;
+
+  void createRoom(SceneGraph& graph, int region, RoomReason reason, double stamp_s);
+  void moveRoom(SceneGraph& graph, NodeId room, int region, double stamp_s);
+  void refreshRoom(SceneGraph& graph, NodeId room, double stamp_s) const;
+  void removeRoom(SceneGraph& graph, NodeId room);
+
+  RoomLayerConfig config_;
+  RegionSnapshot snapshot_;
+  EntityAssignment assignment_;
+  std::map<int, NodeId> room_of_region_;  ///< Regions that are missing included.
+  /// Rooms that moved away from a region the tracker may still bring back.
+  std::map<int, NodeId> former_room_of_region_;
+  std::map<int, double> first_seen_s_;  ///< By region.
+  std::optional<int> current_region_;
+  std::optional<NodeId> current_room_;
+};
+
+}  // namespace occusg

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/graph/scene_graph.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "occusg/error.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr const char* kWhere = "scene graph";
+
+std::size_t indexOf(NodeType type) { return static_cast<std::size_t>(type); }
+std::size_t indexOf(EdgeType type) { return static_cast<std::size_t>(type); }
+
+constexpr EdgeType kEdgeTypes[kEdgeTypeCount] = {
+    EdgeType::kTemporal, EdgeType::kContains, EdgeType::kTraversable, EdgeType::kNearestFreeSpace,
+    EdgeType::kRoomAdjacency};
+
+NodeId endOfIds(NodeType type) {
+  return type == NodeType::kDoor ? kIdEnd : firstId(static_cast<NodeType>(indexOf(type) + 1));
+}
+
+std::optional<NodeType> typeOfId(NodeId id) {
+  if (id < 0 || id >= kIdEnd) return std::nullopt;
+  std::size_t type = 0;
+  while (id >= endOfIds(static_cast<NodeType>(type))) ++type;
+  return static_cast<NodeType>(type);
+}
+
+void checkFinite(const Eigen::Vector3d& position, double created_s, double last_seen_s) {
+  if (!position.allFinite())
+    throw refuse(kWhere, "a node's position is not finite", "positions are in metres, map frame");
+  if (!std::isfinite(created_s) || !std::isfinite(last_seen_s))
+    throw refuse(kWhere, "a node's stamp is not finite", "stamps are in seconds");
+}
+
+bool fits(EdgeType type, NodeType source, NodeType target) {
+  switch (type) {
+    case EdgeType::kTemporal:
+      return source == NodeType::kAgent && target == NodeType::kAgent;
+    case EdgeType::kContains:
+      return source == NodeType::kRoom &&
+             (target == NodeType::kAgent || target == NodeType::kObject ||
+              target == NodeType::kNavigation);
+    case EdgeType::kTraversable:
+      return source == NodeType::kNavigation && target == NodeType::kNavigation;
+    case EdgeType::kNearestFreeSpace:
+      return source == NodeType::kObject && target == NodeType::kNavigation;
+    case EdgeType::kRoomAdjacency:
+      return source == NodeType::kRoom && target == NodeType::kRoom;
+  }
+  return false;
+}
+
+using Ends = std::pair<NodeId, NodeId>;
+
+/// The key an edge is stored under.
+Ends keyOf(EdgeType type, NodeId source, NodeId target) {
+  if (!isDirected(type) && target < source) return {target, source};
+  return {source, target};
+}
+
+const Ends& endsOf(const Ends& key) { return key; }
+const Ends& endsOf(const SceneGraph::EdgeMap::value_type& item) { return item.first; }
+
+/// Appends the second ends of the items of an ordered container that have that first end.
+template <typename Container>
+void appendPartners(const Container& container, NodeId first, std::vector<NodeId>& partners) {
+  auto item = container.lower_bound({first, std::numeric_limits<NodeId>::min()});
+  for (; item != container.end() && endsOf(*item).first == first; ++item) {
+    partners.push_back(endsOf(*item).second);
+  }
+}
+
+}  // namespace
+
+const char* nameOf(NodeType type) {
+  constexpr const char* kNames[kNodeTypeCount] = {"AGENT", "OBJECT", "NAVIGATION", "ROOM", "DOOR"};
+  return kNames[indexOf(type)];
+}
+
+const char* nameOf(EdgeType type) {
+  constexpr const char* kNames[kEdgeTypeCount] = {
+      "TEMPORAL_LINK", "ROOM_CONTAINS", "NAVIGABLE_PATH", "NEAREST_FREE_SPACE", "ROOM_ADJACENCY"};
+  return kNames[indexOf(type)];
+}
+
+const Node& SceneGraph::add(const Eigen::Vector3d& position, double stamp_s,
+                            NodeAttributes attributes) {
+  checkFinite(position, stamp_s, stamp_s);
+  Node node;
+  node.position = position;
+  node.created_s = stamp_s;
+  node.last_seen_s = stamp_s;
+  node.attributes = std::move(attributes);
+  const NodeType type = node.type();
+  node.id = nextId(type);
+  if (node.id >= endOfIds(type)) {
+    throw refuse(kWhere, std::string("no ids are left for nodes of type ") + nameOf(type),
+                 "start a new graph");
+  }
+  ++added_[indexOf(type)];
+  NodeMap& nodes = nodes_[indexOf(type)];
+  return nodes.emplace_hint(nodes.end(), node.id, std::move(node))->second;
+}
+
+void SceneGraph::update(Node node) {
+  checkFinite(node.position, node.created_s, node.last_seen_s);
+  NodeMap& nodes = nodes_[indexOf(node.type())];
+  const auto found = nodes.find(node.id);
+  if (found == nodes.end()) {
+    throw refuse(kWhere,
+                 "there is no " + std::string(nameOf(node.type())) + " node " +
+                     std::to_string(node.id) + " to update",
+                 "add it first, and keep its type");
+  }
+  found->second = std::move(node);
+}
+
+bool SceneGraph::remove(NodeId id) {
+  const std::optional<NodeType> type = typeOfId(id);
+  if (!type || nodes_[indexOf(*type)].erase(id) == 0) return false;
+  for (const EdgeType edge_type : kEdgeTypes) removeEdges(edge_type, id);
+  return true;
+}
+
+void SceneGraph::connect(Edge edge) {
+  checkEnds(edge);
+  const Ends key = keyOf(edge.type, edge.source, edge.target);
+  edge.source = key.first;
+  edge.target = key.second;
+  if (edge.type == EdgeType::kContains) {
+    const std::optional<NodeId> room = roomOf(edge.target);
+    if (room && *room != edge.source) disconnect(EdgeType::kContains, *room, edge.target);
+  }
+  Edges& edges = edges_[indexOf(edge.type)];
+  edges.by_target.emplace(key.second, key.first);
+  edges.by_source.insert_or_assign(key, std::move(edge));
+}
+
+bool SceneGraph::disconnect(EdgeType type, NodeId source, NodeId target) {
+  const Ends key = keyOf(type, source, target);
+  Edges& edges = edges_[indexOf(type)];
+  edges.by_target.erase({key.second, key.first});
+  return edges.by_source.erase(key) > 0;
+}
+
+NodeId SceneGraph::nextId(NodeType type) const { return firstId(type) + added_[indexOf(type)]; }
+
+const Node* SceneGraph::find(NodeId id) const {
+  const std::optional<NodeType> type = typeOfId(id);
+  if (!type) return nullptr;
+  const NodeMap& nodes = nodes_[indexOf(*type)];
+  const auto found = nodes.find(id);
+  return found == nodes.end() ? nullptr : &found->second;
+}
+
+const Node& SceneGraph::at(NodeId id) const {
+  const Node* node = find(id);
+  if (node == nullptr)
+    throw refuse(kWhere, "there is no node " + std::to_string(id), "name a node of the graph");
+  return *node;
+}
+
+const RoomAttributes& SceneGraph::room(NodeId id) const {
+  const auto* room = std::get_if<RoomAttributes>(&at(id).attributes);
+  if (room == nullptr)
+    throw refuse(kWhere, "node " + std::to_string(id) + " is no room", "name a room");
+  return *room;
+}
+
+const SceneGraph::NodeMap& SceneGraph::nodes(NodeType type) const { return nodes_[indexOf(type)]; }
+
+std::size_t SceneGraph::nodeCount() const {
+  std::size_t count = 0;
+  for (const NodeMap& nodes : nodes_) count += nodes.size();
+  return count;
+}
+
+const SceneGraph::EdgeMap& SceneGraph::edges(EdgeType type) const {
+  return edges_[indexOf(type)].by_source;
+}
+
+std::size_t SceneGraph::edgeCount() const {
+  std::size_t count = 0;
+  for (const Edges& edges : edges_) count += edges.by_source.size();
+  return count;
+}
+
+const Edge* SceneGraph::findEdge(EdgeType type, NodeId source, NodeId target) const {
+  const EdgeMap& edges = edges_[indexOf(type)].by_source;
+  const auto found = edges.find(keyOf(type, source, target));
+  return found == edges.end() ? nullptr : &found->second;
+}
+
+std::vector<NodeId> SceneGraph::targets(EdgeType type, NodeId source) const {
+  const Edges& edges = edges_[indexOf(type)];
+  std::vector<NodeId> ids;
+  // Undirected edges lead from smaller to larger: arriving first keeps the ids sorted.
+  if (!isDirected(type)) appendPartners(edges.by_target, source, ids);
+  appendPartners(edges.by_source, source, ids);
+  return ids;
+}
+
+std::vector<NodeId> SceneGraph::sources(EdgeType type, NodeId target) const {
+  if (!isDirected(type)) return targets(type, target);
+  std::vector<NodeId> ids;
+  appendPartners(edges_[indexOf(type)].by_target, target, ids);
+  return ids;
+}
+
+std::optional<NodeId> SceneGraph::roomOf(NodeId member) const {
+  const auto& by_member = edges_[indexOf(EdgeType::kContains)].by_target;
+  const auto found = by_member.lower_bound({member, std::numeric_limits<NodeId>::min()});
+  if (found == by_member.end() || found->first != member) return std::nullopt;
+  return found->second;
+}
+
+void SceneGraph::checkEnds(const Edge& edge) const {
+  const auto ends = [&] {
+    return std::string(nameOf(edge.type)) + " edge from " + std::to_string(edge.source) + " to " +
+           std::to_string(edge.target);
+  };
+  const Node* source = find(edge.source);
+  const Node* target = find(edge.target);
+  if (source == nullptr || target == nullptr)
+    throw refuse(kWhere, ends() + ": an end does not exist", "add both nodes first");
+  if (!fits(edge.type, source->type(), target->type())) {
+    throw refuse(kWhere, ends() + " joins nodes of the wrong types",
+                 std::string("found ") + nameOf(source->type()) + " and " + nameOf(target->type()));
+  }
+  if (edge.source == edge.target)
+    throw refuse(kWhere, ends() + " joins a node to itself", "name two nodes");
+  if (edge.type == EdgeType::kTemporal && edge.source > edge.target)
+    throw refuse(kWhere, ends() + " leads back in time", "name the older agent first");
+}
+
+void SceneGraph::removeEdges(EdgeType type, NodeId node) {
+  for (const NodeId source : sources(type, node)) disconnect(type, source, node);
+  for (const NodeId target : targets(type, node)) disconnect(type, node, target);
+}
+
+}  // namespace occusg

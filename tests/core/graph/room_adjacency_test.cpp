@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/graph/room_adjacency.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "occusg/graph/room_layer.hpp"
+#include "tracked_squares.hpp"
+
+namespace occusg {
+namespace {
+
+using testing::paperGraph;
+using testing::roomOnRegion;
+using testing::squareAt;
+using testing::tracked;
+
+/// Three rooms in a row, each 4 m square, anchored to the regions 1, 2 and 3.
+class RoomAdjacency : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    maintain({});
+    for (const double x : {2.0, 6.0, 10.0}) objectAt(x);
+    maintain({});
+    ASSERT_EQ(graph_.nodes(NodeType::kRoom).size(), 3U);
+  }
+  void objectAt(double x) { graph_.add({x, 2.0, 0.0}, 0.0, ObjectAttributes{}); }
+  NodeId blockAt(double x) { return graph_.add({x, 2.0, 0.0}, 0.0, NavigationAttributes{}).id; }
+  void maintain(std::vector<Crossing> crossings) {
+    const auto regions =
+        tracked({squareAt(1, 0.0), squareAt(2, 4.0), squareAt(3, 8.0)}, {}, std::move(crossings));
+    layer_.update(graph_, regions, {2.0, 2.0}, stamp_s_, Maintenance::kDue);
+    stamp_s_ += 1.0;
+  }
+  [[nodiscard]] const Edge* edge(int a, int b) const {
+    return graph_.findEdge(EdgeType::kRoomAdjacency, roomOnRegion(graph_, a),
+                           roomOnRegion(graph_, b));
+  }
+  [[nodiscard]] std::size_t edgeCount() const {
+    return graph_.edges(EdgeType::kRoomAdjacency).size();
+  }
+
+  SceneGraph graph_;
+  RoomLayer layer_{paperGraph().rooms};
+  double stamp_s_ = 0.0;
+  const Crossing door12_{1, 2, {{4.0, 1.5}, {4.0, 2.5}}};
+  const Crossing wide12_{1, 2, {{4.0, 2.8}, {4.0, 4.0}}};
+};
+
+TEST_F(RoomAdjacency, Row21CrossingAndTraversableEdgeMakeOneUndirectedEdge) {
+  const NodeId left = blockAt(3.5);
+  const NodeId right = blockAt(4.5);
+  graph_.connect({EdgeType::kTraversable, right, left, {}});
+  maintain({door12_});
+  EXPECT_EQ(edgeCount(), 1U);
+  ASSERT_NE(edge(1, 2), nullptr);
+  EXPECT_EQ(edge(2, 1), edge(1, 2));
+}
+
+TEST_F(RoomAdjacency, Row21CrossingBehindAWallIsNoPassage) {
+  blockAt(3.5);
+  blockAt(4.5);
+  maintain({door12_});
+  EXPECT_EQ(edgeCount(), 0U);
+}
+
+TEST_F(RoomAdjacency, Row21TraversableEdgeWithoutACrossingIsNoAdjacency) {
+  graph_.connect({EdgeType::kTraversable, blockAt(3.5), blockAt(4.5), {}});
+  maintain({});
+  EXPECT_EQ(edgeCount(), 0U);
+}
+
+TEST_F(RoomAdjacency, ATraversableEdgeElsewhereDoesNotCount) {
+  graph_.connect({EdgeType::kTraversable, blockAt(7.5), blockAt(8.5), {}});
+  graph_.connect({EdgeType::kTraversable, blockAt(1.5), blockAt(2.5), {}});
+  graph_.connect({EdgeType::kTraversable, blockAt(3.5), blockAt(60.0), {}});
+  maintain({door12_});
+  EXPECT_EQ(edgeCount(), 0U);
+}
+
+TEST_F(RoomAdjacency, WithoutNavigationNodesTheCrossingIsTheEvidence) {
+  maintain({door12_});
+  EXPECT_EQ(edgeCount(), 1U);
+  EXPECT_NE(edge(1, 2), nullptr);
+}
+
+TEST_F(RoomAdjacency, AllCrossingsOfAPairAreKeptTheWidestFirst) {
+  maintain({door12_, wide12_});
+  ASSERT_NE(edge(1, 2), nullptr);
+  ASSERT_EQ(edge(1, 2)->crossings.size(), 2U);
+  EXPECT_EQ(edge(1, 2)->crossings[0].a, wide12_.segment.a);
+  EXPECT_EQ(edge(1, 2)->crossings[1].a, door12_.segment.a);
+}
+
+TEST_F(RoomAdjacency, AnEdgeGoesWithItsCrossing) {
+  maintain({door12_, {2, 3, {{8.0, 1.0}, {8.0, 2.0}}}});
+  EXPECT_EQ(edgeCount(), 2U);
+  maintain({{2, 3, {{8.0, 1.0}, {8.0, 2.0}}}});
+  EXPECT_EQ(edgeCount(), 1U);
+  EXPECT_EQ(edge(1, 2), nullptr);
+}
+
+TEST_F(RoomAdjacency, ACrossingToARegionWithoutARoomIsNoAdjacency) {
+  const auto regions =
+      tracked({squareAt(1, 0.0), squareAt(2, 4.0), squareAt(3, 8.0), squareAt(4, 12.0)}, {},
+              {{3, 4, {{12.0, 1.0}, {12.0, 2.0}}}, {3, 99, {{12.0, 1.0}, {12.0, 2.0}}}});
+  layer_.update(graph_, regions, {2.0, 2.0}, stamp_s_, Maintenance::kDue);
+  EXPECT_EQ(edgeCount(), 0U);
+}
+
+}  // namespace
+}  // namespace occusg
