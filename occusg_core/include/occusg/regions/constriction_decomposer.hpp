@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "occusg/regions/decomposer.hpp"
+
+namespace occusg {
+
+/// What becomes of the floor under a small obstacle island.
+enum class IslandFootprint {
+  kFillInsideOneRegion,  ///< Belongs to the region that surrounds it, as annotated rooms have it.
+  kLeaveOut,             ///< A hole in the region.
+};
+
+struct ConstrictionDecomposerConfig {
+  /// Two neighbouring basins stay apart only where the passage between them is narrower [m] ...
+  double widest_door_m = 2.5;
+  /// ... and narrower than this share of the shallower basin's largest free circle, in (0, 1] ...
+  double shallowest_basin_ratio = 0.75;
+  /// ... or, if not, where both sides measure this many times the passage's width, 1 or more,
+  double door_widening = 1.3;
+  double door_reach_m = 1.0;        ///< within this distance of it: a door beside a corridor [m].
+  double min_region_area_m2 = 1.0;  ///< Smaller regions join their neighbour or are dropped [m2].
+  double min_crossing_m = 0.3;      ///< Regions that touch along less are not adjacent [m].
+  /// Islands (what is not free but wholly surrounded by free space: a table, its shadow) that
+  /// enclose up to this area do not shape basins, unless they are long as walls are [m2].
+  double max_filled_obstacle_m2 = 1.0;
+  /// A region that surrounds such an island takes its cells; they then carry its label although
+  /// they are not free.
+  IslandFootprint island_footprint = IslandFootprint::kFillInsideOneRegion;
+};
+
+/// Regions as basins of the distance to the nearest obstacle: the watershed of the distance
+/// transform, whose neighbouring basins are merged unless the saddle between them is a real
+/// narrowing. Neighbours are separated by the straight line from jamb to jamb. Unknown cells bound
+/// regions as obstacles do.
+class ConstrictionDecomposer final : public Decomposer {
+ public:
+  /// @throws Error when a parameter is out of range.
+  explicit ConstrictionDecomposer(const ConstrictionDecomposerConfig& config);
+
+  /// Computed from the whole layer; O(cells).
+  const Decomposition& update(const FreeSpace& layer) override;
+  void reset() override;
+
+ private:
+  ConstrictionDecomposerConfig config_;
+  Decomposition decomposition_;
+};
+
+}  // namespace occusg

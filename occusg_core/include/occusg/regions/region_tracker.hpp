@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "occusg/regions/acceptance_guard.hpp"
+#include "occusg/regions/region.hpp"
+
+namespace occusg {
+
+struct RegionTrackerConfig {
+  double min_overlap = 0.20;             ///< Polygon IoU must exceed this, 0..1.
+  double max_centroid_distance_m = 1.5;  ///< Centroids must be nearer than this [m].
+  double min_area_ratio = 0.25;          ///< New area over old area, lower bound, inclusive.
+  double max_area_ratio = 4.0;           ///< Upper bound, inclusive.
+  int max_missed_updates = 3;            ///< A track survives so many updates without a region.
+  AcceptanceGuardConfig guard;
+};
+
+/// Regions with lasting ids.
+struct TrackedRegions {
+  /// Region, adjacency, crossing and label ids are track ids; regions are ordered by id.
+  Decomposition decomposition;
+  std::vector<int> missed;  ///< Tracks without a region now but still remembered; sorted.
+  bool stale = false;  ///< The newest decomposition was rejected; this is the last accepted one.
+};
+
+/// Gives regions ids that last from update to update (paper, Sec. 3.3). A region continues the
+/// track it overlaps most among those that pass all three gates, one to one; ties go to the nearer
+/// centroid, then to the older track. A matched track takes the new geometry; a region without a
+/// match starts a new track; ids count up from 1 and are never used again.
+class RegionTracker {
+ public:
+  /// @throws Error when a parameter is out of range.
+  explicit RegionTracker(const RegionTrackerConfig& config);
+
+  /// A decomposition the guard rejects leaves the tracks alone: the last accepted state comes back,
+  /// marked stale. The reference stays valid until the next call.
+  const TrackedRegions& update(const Decomposition& decomposition);
+  [[nodiscard]] const TrackedRegions& regions() const { return tracked_; }
+  /// Forgets all tracks; ids start at 1 again.
+  void reset();
+
+ private:
+  struct Track {
+    Region region;  ///< As last seen.
+    int missed_updates = 0;
+  };
+
+  /// The track of every region in list order: a known one, or one that it starts.
+  [[nodiscard]] std::vector<int> assign(const std::vector<Region>& regions);
+  void step(const std::vector<Region>& regions, const std::vector<int>& ids);
+
+  RegionTrackerConfig config_;
+  AcceptanceGuard guard_;
+  std::map<int, Track> tracks_;  ///< By id.
+  int next_id_ = 1;
+  TrackedRegions tracked_;
+};
+
+}  // namespace occusg

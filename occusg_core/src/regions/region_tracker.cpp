@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/regions/region_tracker.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "occusg/geometry/polygon_overlap.hpp"
+#include "regions/parameter_check.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr int kNoTrack = 0;
+
+/// A region that may continue a track.
+struct Candidate {
+  double overlap = 0.0;
+  double distance_m = 0.0;
+  int track = kNoTrack;
+  std::size_t region = 0;
+
+  /// Best first.
+  friend bool operator<(const Candidate& a, const Candidate& b) {
+    return std::tie(b.overlap, a.distance_m, a.track, a.region) <
+           std::tie(a.overlap, b.distance_m, b.track, b.region);
+  }
+};
+
+/// Polygon IoU. Most regions of a map do not change from update to update; for those the costly
+/// intersection is spared.
+double overlapOf(const Region& a, const Region& b) {
+  if (a.polygon.outer == b.polygon.outer && a.polygon.holes == b.polygon.holes) return 1.0;
+  return intersectionOverUnion(a.polygon, b.polygon);
+}
+
+/// `decomposition` with region ids replaced: ids[i] for the i-th region.
+Decomposition renamed(const Decomposition& decomposition, const std::vector<int>& ids) {
+  std::vector<std::int32_t> new_id(ids.size() + 1, kNoRegion);
+  std::copy(ids.begin(), ids.end(), new_id.begin() + 1);
+  Decomposition result = decomposition;
+  for (Region& region : result.regions) {
+    region.id = new_id[region.id];
+    for (int& id : region.adjacent) id = new_id[id];
+    std::sort(region.adjacent.begin(), region.adjacent.end());
+  }
+  std::sort(result.regions.begin(), result.regions.end(),
+            [](const Region& a, const Region& b) { return a.id < b.id; });
+  for (Crossing& crossing : result.crossings) {
+    const auto [low, high] = std::minmax({new_id[crossing.region_a], new_id[crossing.region_b]});
+    crossing.region_a = low;
+    crossing.region_b = high;
+  }
+  // Stable: the crossings of one pair stay ordered by position.
+  std::stable_sort(result.crossings.begin(), result.crossings.end(),
+                   [](const Crossing& a, const Crossing& b) {
+                     return std::tie(a.region_a, a.region_b) < std::tie(b.region_a, b.region_b);
+                   });
+  for (std::int32_t& label : result.labels.values()) label = new_id[label];
+  return result;
+}
+
+}  // namespace
+
+RegionTracker::RegionTracker(const RegionTrackerConfig& config)
+    : config_(config), guard_(config.guard) {
+  constexpr double kAny = std::numeric_limits<double>::max();
+  requireRange("regions.tracker.min_overlap", config.min_overlap, 0.0, 1.0);
+  requireRange("regions.tracker.max_centroid_distance_m", config.max_centroid_distance_m, 0.0,
+               kAny);
+  requireRange("regions.tracker.min_area_ratio", config.min_area_ratio, 0.0, 1.0);
+  requireRange("regions.tracker.max_area_ratio", config.max_area_ratio, 1.0, kAny);
+  requireRange("regions.tracker.max_missed_updates", config.max_missed_updates, 0, 1000000);
+}
+
+const TrackedRegions& RegionTracker::update(const Decomposition& decomposition) {
+  tracked_.stale = !guard_.accept(decomposition);
+  if (tracked_.stale) return tracked_;
+  const std::vector<int> ids = assign(decomposition.regions);
+  step(decomposition.regions, ids);
+  tracked_.decomposition = renamed(decomposition, ids);
+  return tracked_;
+}
+
+void RegionTracker::reset() { *this = RegionTracker(config_); }
+
+std::vector<int> RegionTracker::assign(const std::vector<Region>& regions) {
+  std::vector<Candidate> candidates;
+  for (const auto& [id, track] : tracks_) {
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      const double distance_m = distance(regions[i].centroid, track.region.centroid);
+      if (!(distance_m < config_.max_centroid_distance_m)) continue;
+      const double ratio = regions[i].area_m2 / track.region.area_m2;
+      if (!(ratio >= config_.min_area_ratio && ratio <= config_.max_area_ratio)) continue;
+      const double overlap = overlapOf(regions[i], track.region);
+      if (overlap > config_.min_overlap) candidates.push_back({overlap, distance_m, id, i});
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<int> ids(regions.size(), kNoTrack);
+  std::vector<int> taken;
+  for (const Candidate& candidate : candidates) {
+    if (ids[candidate.region] != kNoTrack) continue;
+    if (std::find(taken.begin(), taken.end(), candidate.track) != taken.end()) continue;
+    ids[candidate.region] = candidate.track;
+    taken.push_back(candidate.track);
+  }
+  for (int& id : ids)
+    if (id == kNoTrack) id = next_id_++;
+  return ids;
+}
+
+void RegionTracker::step(const std::vector<Region>& regions, const std::vector<int>& ids) {
+  for (auto& [id, track] : tracks_) ++track.missed_updates;
+  for (std::size_t i = 0; i < regions.size(); ++i) tracks_[ids[i]] = {regions[i], 0};
+  tracked_.missed.clear();
+  for (auto track = tracks_.begin(); track != tracks_.end();) {
+    const int missed_updates = track->second.missed_updates;
+    if (missed_updates > config_.max_missed_updates) {
+      track = tracks_.erase(track);
+      continue;
+    }
+    if (missed_updates > 0) tracked_.missed.push_back(track->first);
+    ++track;
+  }
+}
+
+}  // namespace occusg
