@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "occusg/perception/depth_frame.hpp"
+#include "occusg/perception/detection.hpp"
+#include "occusg/perception/instance_mask.hpp"
+
+namespace occusg {
+
+struct DetectionBuilderConfig {
+  double cluster_eps_m = 0.05;  ///< Points nearer than this belong together [m], [0.005, 10].
+  std::size_t min_cluster_points = 50;  ///< Fewest depth pixels of a detection, at least 1.
+  double max_depth_m = 10.0;          ///< Farther pixels are not used, along the optical axis [m].
+  std::size_t max_masks = kMaxMasks;  ///< Most masks of a frame; those of the best score, >= 1.
+};
+
+/// Instance masks and the depth image of the same view -> 3D detections (paper, Sec. 3.2): the
+/// depth pixels under a mask are back-projected, and the largest Euclidean cluster (Rusu 2009,
+/// "Semantic 3D Object Maps for Everyday Manipulation") is the object.
+///
+/// The masks' image must be registered to the depth image: same view, any resolution. A depth pixel
+/// belongs to a mask when its centre does. Depth counts when it is finite, above 1 mm and not
+/// saturated. Dense points are thinned to one per voxel of side eps / 2.5 before clustering, so
+/// that a mask of the whole image stays fast; counts, centroid and box are those of all points.
+class DetectionBuilder {
+ public:
+  /// @throws Error naming the field, its value and the range.
+  explicit DetectionBuilder(const DetectionBuilderConfig& config);
+
+  /// Equal input gives equal output. A mask that cannot be used is refused and counted.
+  /// @throws Error when the frame itself cannot be used: camera, depth image, pose or stamp are not
+  /// valid, or the masks' image has another aspect ratio than the depth image.
+  [[nodiscard]] DetectionResult build(const InstanceMasks& masks, const DepthFrame& frame) const;
+
+ private:
+  DetectionBuilderConfig config_;
+};
+
+}  // namespace occusg
