@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace occusg {
+
+/// A folder results are written to. A file appears whole or not at all: it is written under a
+/// temporary name beside its place, flushed to the disk and renamed, so that neither a crash nor a
+/// full disk leaves half a file or loses the previous one.
+class OutputFolder {
+ public:
+  /// Creates the folder and its parents where missing, and writes a file for a try, so that a long
+  /// run does not find out at its end.
+  /// @throws Error when it is a file or cannot be created or written.
+  explicit OutputFolder(const std::string& path);
+
+  /// Writes `bytes` to the file `name`, replacing it.
+  /// @param name a plain file name.
+  /// @throws Error naming the file and the reason (read-only, no space left, ...); a previous file
+  /// of that name is untouched.
+  void write(const std::string& name, const std::string& bytes) const;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace occusg

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "occusg/io/rooms_file.hpp"
+#include "occusg/mapping/free_space.hpp"
+
+namespace occusg {
+
+/// What an overview shows besides the map.
+struct OverviewContent {
+  std::string title;
+  std::vector<RoomRecord> rooms;
+  std::vector<DoorRecord> crossings;
+  std::vector<Point2> trajectory;  ///< In the order of travel, map frame [m].
+};
+
+/// Draws the map from above, y up: obstacles, free space, rooms tinted by id with id, label and
+/// area, crossings, the trajectory with start and end; title, legend and scale bar. The longer side
+/// is 1600 pixels. What is not finite or farther than 1e6 m is left out; an empty map gives a
+/// picture that says so. Equal input gives equal pixels.
+/// @return CV_8UC3, BGR.
+[[nodiscard]] cv::Mat drawOverview(const FreeSpace& layer, const OverviewContent& content);
+
+/// @throws Error when the picture is empty or cannot be encoded.
+[[nodiscard]] std::string encodePng(const cv::Mat& picture);
+
+}  // namespace occusg

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "occusg/geometry/polygon.hpp"
+
+namespace occusg {
+
+/// A room as files carry it.
+struct RoomRecord {
+  int id = 0;
+  std::string label;
+  Polygon polygon;  ///< Map frame [m].
+};
+
+/// Two rooms that meet, and where: a door or an opening.
+struct DoorRecord {
+  int room_a = 0;
+  int room_b = 0;
+  Segment2 segment;  ///< Map frame [m].
+};
+
+/// `rooms.json`, prediction and ground truth alike:
+/// {"scene", "frame", "floor_z", "rooms": [{"id", "label", "polygon": [[x, y], ...], "holes"}],
+/// "doors": [{"rooms": [id, id], "segment": [[x, y], [x, y]]}]}.
+struct RoomsFile {
+  std::string scene;
+  std::string frame = "map";
+  double floor_z_m = 0.0;
+  std::vector<RoomRecord> rooms;
+  std::vector<DoorRecord> doors;
+};
+
+/// Limits of what is read.
+inline constexpr std::size_t kMaxRooms = 10'000;
+inline constexpr std::size_t kMaxRoomVertices = 100'000;  ///< Of all rooms together.
+inline constexpr double kMaxRoomCoordinate_m = 1e6;
+
+/// Reads the text of a `rooms.json`. Only "rooms", and in it "id" and "polygon", are required;
+/// other keys may be absent, and keys not named above are ignored. Rings come out in the
+/// orientation `Polygon` asks for and without a repeated last vertex; they are not checked to be
+/// simple.
+/// @param where opens every sentence; the file's path.
+/// @throws Error naming the room and the value that cannot be used.
+[[nodiscard]] RoomsFile parseRooms(const std::string& text, const std::string& where);
+
+/// @throws Error as `parseRooms`, or when the file cannot be read or exceeds 64 MiB.
+[[nodiscard]] RoomsFile readRooms(const std::string& path);
+
+/// The text of a `rooms.json`: coordinates rounded to 1e-4 m, one room a line, keys of a room
+/// sorted.
+/// @throws Error when a coordinate is not finite.
+[[nodiscard]] std::string toJson(const RoomsFile& rooms);
+
+}  // namespace occusg

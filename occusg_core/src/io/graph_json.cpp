@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/graph_json.hpp"
+
+#include "io/json_text.hpp"
+
+namespace occusg {
+
+using nlohmann::json;
+
+json jsonOf(const Eigen::Vector3d& point) {
+  return json::array({rounded(point.x()), rounded(point.y()), rounded(point.z())});
+}
+
+json jsonOf(const Segment2& segment) { return jsonOf(Ring{segment.a, segment.b}); }
+
+json crossingsOf(const Edge& edge) {
+  json crossings = json::array();
+  for (const Segment2& crossing : edge.crossings) crossings.push_back(jsonOf(crossing));
+  return crossings;
+}
+
+Eigen::Quaterniond canonicalRotation(const Pose& pose) {
+  constexpr int kDigits = 6;
+  const Eigen::Quaterniond q(pose.linear());
+  const double sign = q.w() < 0.0 ? -1.0 : 1.0;
+  return {rounded(sign * q.w(), kDigits), rounded(sign * q.x(), kDigits),
+          rounded(sign * q.y(), kDigits), rounded(sign * q.z(), kDigits)};
+}
+
+}  // namespace occusg

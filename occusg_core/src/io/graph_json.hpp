@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include "occusg/graph/scene_graph.hpp"
+
+namespace occusg {
+
+/// Parts the graph's JSON formats share.
+
+[[nodiscard]] nlohmann::json jsonOf(const Eigen::Vector3d& point);
+[[nodiscard]] nlohmann::json jsonOf(const Segment2& segment);
+[[nodiscard]] nlohmann::json crossingsOf(const Edge& edge);
+/// Rotation of the pose, rounded to 1e-6; of the two quaternions that mean it the one with w >= 0,
+/// so that equal poses give equal bytes.
+[[nodiscard]] Eigen::Quaterniond canonicalRotation(const Pose& pose);
+
+}  // namespace occusg

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/json_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "occusg/error.hpp"
+
+namespace occusg {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kMaxDepth = 32;
+constexpr std::size_t kMaxValues = 2'000'000;
+constexpr std::size_t kMaxQuotedText = 60;
+
+/// A value as it stands in the file, shortened for a sentence.
+std::string quoted(const json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "an array of " + std::to_string(value.size());
+  std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+  if (text.size() > kMaxQuotedText) text = text.substr(0, kMaxQuotedText) + "...";
+  return text;
+}
+
+std::string lineAt(const std::string& text, std::size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  return std::to_string(1 + std::count(text.begin(), end, '\n'));
+}
+
+std::string dumped(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+/// The parser's message without its "[json.exception...] parse error at ...: " head, which differs
+/// between versions of the library.
+std::string reasonOf(const json::exception& error) {
+  const std::string message = error.what();
+  const std::size_t head = message.find("] ");
+  const std::string rest = head == std::string::npos ? message : message.substr(head + 2);
+  const std::size_t colon = rest.find(": ");
+  return colon == std::string::npos ? rest : rest.substr(colon + 2);
+}
+
+}  // namespace
+
+json parseJson(const std::string& text, const std::string& where) {
+  std::size_t values = 0;
+  const auto limit = [&](int depth, json::parse_event_t event, json& /*parsed*/) {
+    if (depth > kMaxDepth) {
+      throw refuse(where, "is nested deeper than " + std::to_string(kMaxDepth) + " levels",
+                   "a flatter file is needed");
+    }
+    using Event = json::parse_event_t;
+    if (event == Event::value || event == Event::array_start || event == Event::object_start) {
+      ++values;
+    }
+    if (values > kMaxValues) {
+      throw refuse(where, "holds more than " + std::to_string(kMaxValues) + " values",
+                   "a smaller file is needed");
+    }
+    return true;
+  };
+  try {
+    return json::parse(text, limit);
+  } catch (const json::parse_error& error) {
+    const std::size_t byte = error.byte == 0 ? 0 : error.byte - 1;
+    throw refuse(where + ":" + lineAt(text, byte), "is not valid JSON (" + reasonOf(error) + ")",
+                 "a complete JSON document is needed");
+  } catch (const json::exception& error) {
+    throw refuse(where, "is not valid JSON (" + reasonOf(error) + ")",
+                 "a complete JSON document is needed");
+  }
+}
+
+const json& member(const json& value, const std::string& key, const std::string& where) {
+  const json* found = optionalMember(value, key, where);
+  if (found == nullptr) throw refuse(where, "has no \"" + key + "\"", "the key is required");
+  return *found;
+}
+
+const json* optionalMember(const json& value, const std::string& key, const std::string& where) {
+  if (!value.is_object()) throw refuse(where, "is " + quoted(value), "an object is needed");
+  const auto found = value.find(key);
+  return found == value.end() ? nullptr : &*found;
+}
+
+double numberOf(const json& value, const std::string& where) {
+  if (!value.is_number() || !std::isfinite(value.get<double>()))
+    throw refuse(where, "is " + quoted(value), "a finite number is needed");
+  return value.get<double>();
+}
+
+int integerOf(const json& value, const std::string& where) {
+  constexpr std::int64_t kLargest = std::numeric_limits<int>::max();
+  const bool fits = value.is_number_unsigned()
+                        ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(kLargest)
+                        : value.is_number_integer() && value.get<std::int64_t>() >= -kLargest;
+  if (!fits) {
+    throw refuse(where, "is " + quoted(value),
+                 "an integer of at most " + std::to_string(kLargest) + " is needed");
+  }
+  return value.get<int>();
+}
+
+std::string stringOf(const json& value, const std::string& where) {
+  if (!value.is_string()) throw refuse(where, "is " + quoted(value), "a string is needed");
+  return value.get<std::string>();
+}
+
+const json& arrayOf(const json& value, const std::string& where) {
+  if (!value.is_array()) throw refuse(where, "is " + quoted(value), "an array is needed");
+  return value;
+}
+
+double rounded(double value, int digits) {
+  if (!std::isfinite(value))
+    throw refuse("output", "a value is not finite", "only finite numbers can be written");
+  const double per_unit = std::pow(10.0, digits);
+  // Beyond this doubles are spaced wider than the rounding.
+  if (std::abs(value) * per_unit > 1e15) return value;
+  return std::round(value * per_unit) / per_unit + 0.0;
+}
+
+json jsonOf(const Point2& point) { return json::array({rounded(point.x), rounded(point.y)}); }
+
+json jsonOf(const Ring& ring) {
+  json points = json::array();
+  for (const Point2& point : ring) points.push_back(jsonOf(point));
+  return points;
+}
+
+std::string toText(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+  return dumped(json(value));
+}
+
+std::string jsonDocument(const std::vector<std::pair<std::string, json>>& members) {
+  std::string text = "{\n";
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const auto& [key, value] = members[i];
+    text += dumped(json(key)) + ": ";
+    if (value.is_array() && !value.empty() && value.front().is_object()) {
+      text += "[\n";
+      for (std::size_t j = 0; j < value.size(); ++j)
+        text += "  " + dumped(value[j]) + (j + 1 < value.size() ? ",\n" : "\n");
+      text += "]";
+    } else {
+      text += dumped(value);
+    }
+    text += i + 1 < members.size() ? ",\n" : "\n";
+  }
+  return text + "}\n";
+}
+
+}  // namespace occusg

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/io/rooms_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "io/json_text.hpp"
+#include "occusg/error.hpp"
+#include "occusg/io/file_bytes.hpp"
+
+namespace occusg {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20U;
+
+double coordinateOf(const json& value, const std::string& where) {
+  const double coordinate = numberOf(value, where);
+  if (std::abs(coordinate) > kMaxRoomCoordinate_m) {
+    throw refuse(where, "is " + toText(coordinate) + " m",
+                 "coordinates must lie within 1e6 m of the origin");
+  }
+  return coordinate;
+}
+
+Point2 pointOf(const json& value, const std::string& where) {
+  if (arrayOf(value, where).size() != 2)
+    throw refuse(where, "has " + std::to_string(value.size()) + " numbers", "[x, y] is needed");
+  return {coordinateOf(value[0], where + " x"), coordinateOf(value[1], where + " y")};
+}
+
+/// Reads rings until the file's share of vertices is used up.
+class RingReader {
+ public:
+  explicit RingReader(std::string file) : file_(std::move(file)) {}
+
+  Ring read(const json& value, const std::string& where) {
+    vertices_ += arrayOf(value, where).size();
+    if (vertices_ > kMaxRoomVertices) {
+      throw refuse(file_, "has more than " + std::to_string(kMaxRoomVertices) + " vertices",
+                   "fewer are needed");
+    }
+    Ring ring;
+    ring.reserve(value.size());
+    for (std::size_t i = 0; i < value.size(); ++i)
+      ring.push_back(pointOf(value[i], where + " vertex " + std::to_string(i)));
+    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    if (ring.size() < 3) {
+      throw refuse(where, "has " + std::to_string(ring.size()) + " vertices",
+                   "at least 3 different ones are needed");
+    }
+    return ring;
+  }
+
+ private:
+  std::string file_;
+  std::size_t vertices_ = 0;
+};
+
+Ring oriented(Ring ring, double sign) {
+  if (signedArea(ring) * sign < 0.0) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
+                  RingReader& rings) {
+  RoomRecord room;
+  const std::string at_index = file + ": rooms[" + std::to_string(index) + "]";
+  room.id = integerOf(member(value, "id", at_index), at_index + " id");
+  const std::string where = file + ": room " + std::to_string(room.id);
+  if (const json* label = optionalMember(value, "label", where); label != nullptr)
+    room.label = stringOf(*label, where + " label");
+  room.polygon.outer =
+      oriented(rings.read(member(value, "polygon", where), where + " polygon"), 1.0);
+  const json* holes = optionalMember(value, "holes", where);
+  if (holes == nullptr) return room;
+  const std::size_t count = arrayOf(*holes, where + " holes").size();
+  for (std::size_t i = 0; i < count; ++i) {
+    room.polygon.holes.push_back(
+        oriented(rings.read((*holes)[i], where + " hole " + std::to_string(i)), -1.0));
+  }
+  return room;
+}
+
+std::vector<RoomRecord> roomsOf(const json& values, const std::string& file) {
+  if (arrayOf(values, file + ": rooms").size() > kMaxRooms) {
+    throw refuse(file, "has " + std::to_string(values.size()) + " rooms",
+                 "at most " + std::to_string(kMaxRooms) + " are read");
+  }
+  std::vector<RoomRecord> rooms;
+  rooms.reserve(values.size());
+  std::set<int> ids;
+  RingReader rings(file);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    rooms.push_back(roomOf(values[i], file, i, rings));
+    if (!ids.insert(rooms.back().id).second) {
+      throw refuse(file, "room id " + std::to_string(rooms.back().id) + " appears twice",
+                   "ids must be different");
+    }
+  }
+  return rooms;
+}
+
+DoorRecord doorOf(const json& value, const std::string& where, const std::set<int>& room_ids) {
+  DoorRecord door;
+  const json& pair = arrayOf(member(value, "rooms", where), where + " rooms");
+  if (pair.size() != 2) {
+    throw refuse(where, "joins " + std::to_string(pair.size()) + " rooms",
+                 "two room ids are needed");
+  }
+  door.room_a = integerOf(pair[0], where + " rooms[0]");
+  door.room_b = integerOf(pair[1], where + " rooms[1]");
+  for (const int id : {door.room_a, door.room_b}) {
+    if (room_ids.count(id) == 0) {
+      throw refuse(where, "names room " + std::to_string(id),
+                   "ids of rooms in the file are needed");
+    }
+  }
+  const json& segment = arrayOf(member(value, "segment", where), where + " segment");
+  if (segment.size() != 2) {
+    throw refuse(where, "segment has " + std::to_string(segment.size()) + " points",
+                 "two are needed");
+  }
+  door.segment = {pointOf(segment[0], where + " segment[0]"),
+                  pointOf(segment[1], where + " segment[1]")};
+  return door;
+}
+
+std::vector<DoorRecord> doorsOf(const json& values, const std::string& file,
+                                const std::vector<RoomRecord>& rooms) {
+  constexpr std::size_t kMaxDoors = 10 * kMaxRooms;
+  if (arrayOf(values, file + ": doors").size() > kMaxDoors) {
+    throw refuse(file, "has " + std::to_string(values.size()) + " doors",
+                 "at most " + std::to_string(kMaxDoors) + " are read");
+  }
+  std::set<int> ids;
+  for (const RoomRecord& room : rooms) ids.insert(room.id);
+  std::vector<DoorRecord> doors;
+  doors.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    doors.push_back(doorOf(values[i], file + ": doors[" + std::to_string(i) + "]", ids));
+  return doors;
+}
+
+}  // namespace
+
+RoomsFile parseRooms(const std::string& text, const std::string& where) {
+  const json document = parseJson(text, where);
+  RoomsFile file;
+  if (const json* scene = optionalMember(document, "scene", where); scene != nullptr)
+    file.scene = stringOf(*scene, where + ": scene");
+  if (const json* frame = optionalMember(document, "frame", where); frame != nullptr)
+    file.frame = stringOf(*frame, where + ": frame");
+  if (const json* floor = optionalMember(document, "floor_z", where); floor != nullptr)
+    file.floor_z_m = coordinateOf(*floor, where + ": floor_z");
+  file.rooms = roomsOf(member(document, "rooms", where), where);
+  if (const json* doors = optionalMember(document, "doors", where); doors != nullptr)
+    file.doors = doorsOf(*doors, where, file.rooms);
+  return file;
+}
+
+RoomsFile readRooms(const std::string& path) {
+  return parseRooms(readFile(path, kMaxFileBytes), path);
+}
+
+std::string toJson(const RoomsFile& file) {
+  json rooms = json::array();
+  for (const RoomRecord& room : file.rooms) {
+    json holes = json::array();
+    for (const Ring& hole : room.polygon.holes) holes.push_back(jsonOf(hole));
+    rooms.push_back({{"id", room.id},
+                     {"label", room.label},
+                     {"polygon", jsonOf(room.polygon.outer)},
+                     {"holes", std::move(holes)}});
+  }
+  json doors = json::array();
+  for (const DoorRecord& door : file.doors) {
+    doors.push_back({{"rooms", json::array({door.room_a, door.room_b})},
+                     {"segment", jsonOf(Ring{door.segment.a, door.segment.b})}});
+  }
+  return jsonDocument({{"scene", file.scene},
+                       {"frame", file.frame},
+                       {"floor_z", rounded(file.floor_z_m)},
+                       {"rooms", std::move(rooms)},
+                       {"doors", std::move(doors)}});
+}
+
+}  // namespace occusg

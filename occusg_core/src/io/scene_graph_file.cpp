@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/io/scene_graph_file.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
+
+#include "io/graph_json.hpp"
+#include "io/json_text.hpp"
+
+namespace occusg {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kScoreDigits = 6;
+constexpr int kStampDigits = 6;
+
+const char* nameOf(RoomReason reason) {
+  switch (reason) {
+    case RoomReason::kBootstrap:
+      return "bootstrap";
+    case RoomReason::kVisited:
+      return "visited";
+    case RoomReason::kPromoted:
+      return "promoted";
+  }
+  return "";
+}
+
+json holesOf(const Polygon& polygon) {
+  json holes = json::array();
+  for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
+  return holes;
+}
+
+/// The members a node has by its type.
+struct AttributeMembers {
+  json operator()(const AgentAttributes& agent) const {
+    const Eigen::Quaterniond q = canonicalRotation(agent.T_map_camera);
+    return {{"orientation", json::array({q.x(), q.y(), q.z(), q.w()})}};
+  }
+  json operator()(const ObjectAttributes& object) const {
+    return {{"class", object.class_name}, {"score", rounded(object.score, kScoreDigits)}};
+  }
+  json operator()(const NavigationAttributes& navigation) const {
+    return {{"block", json::array({navigation.block.x, navigation.block.y})},
+            {"free_cells", navigation.free_cells}};
+  }
+  json operator()(const RoomAttributes& room) const {
+    json members = {{"name", room.name},
+                    {"label", room.label},
+                    {"region_id", room.region_id},
+                    {"reason", nameOf(room.reason)},
+                    {"area_m2", rounded(room.area_m2)},
+                    {"polygon", jsonOf(room.polygon.outer)},
+                    {"holes", holesOf(room.polygon)}};
+    if (room.unsupported_since_s)
+      members["unsupported_since_s"] = rounded(*room.unsupported_since_s, kStampDigits);
+    return members;
+  }
+  json operator()(const DoorAttributes& door) const { return {{"segment", jsonOf(door.segment)}}; }
+};
+
+json membersOf(const Node& node) {
+  json members = std::visit(AttributeMembers{}, node.attributes);
+  members["id"] = node.id;
+  members["type"] = nameOf(node.type());
+  members["position"] = jsonOf(node.position);
+  members["created_s"] = rounded(node.created_s, kStampDigits);
+  members["last_seen_s"] = rounded(node.last_seen_s, kStampDigits);
+  members["floor_id"] = node.floor_id;
+  return members;
+}
+
+json membersOf(const Edge& edge) {
+  json members = {{"type", nameOf(edge.type)}, {"source", edge.source}, {"target", edge.target}};
+  if (edge.type == EdgeType::kRoomAdjacency) members["crossings"] = crossingsOf(edge);
+  return members;
+}
+
+int roomNumber(NodeId id) { return static_cast<int>(id - firstId(NodeType::kRoom)) + 1; }
+
+}  // namespace
+
+std::string toJson(const SceneGraph& graph, const std::string& scene, const std::string& frame) {
+  json nodes = json::array();
+  for (std::size_t type = 0; type < kNodeTypeCount; ++type) {
+    for (const auto& [id, node] : graph.nodes(static_cast<NodeType>(type)))
+      nodes.push_back(membersOf(node));
+  }
+  json edges = json::array();
+  for (std::size_t type = 0; type < kEdgeTypeCount; ++type) {
+    for (const auto& [ends, edge] : graph.edges(static_cast<EdgeType>(type)))
+      edges.push_back(membersOf(edge));
+  }
+  return jsonDocument({{"format", "occusg-scene-graph"},
+                       {"version", kSceneGraphFileVersion},
+                       {"scene", scene},
+                       {"frame", frame},
+                       {"nodes", std::move(nodes)},
+                       {"edges", std::move(edges)}});
+}
+
+RoomsFile roomsOf(const SceneGraph& graph, const std::string& scene, double floor_z_m) {
+  RoomsFile file;
+  file.scene = scene;
+  file.floor_z_m = floor_z_m;
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
+    const auto& room = std::get<RoomAttributes>(node.attributes);
+    file.rooms.push_back({roomNumber(id), room.label, room.polygon});
+  }
+  for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
+    for (const Segment2& crossing : edge.crossings)
+      file.doors.push_back({roomNumber(edge.source), roomNumber(edge.target), crossing});
+  }
+  return file;
+}
+
+}  // namespace occusg

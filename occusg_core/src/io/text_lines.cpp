@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/text_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include "occusg/error.hpp"
+#include "occusg/io/file_bytes.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr std::size_t kMaxListBytes = std::size_t{256} << 20U;
+constexpr const char* kSeparators = " \t\r\v\f";
+
+bool isBlankOrComment(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(kSeparators);
+  return first == std::string::npos || line[first] == '#';
+}
+
+}  // namespace
+
+std::vector<TextLine> readLines(const std::string& path) {
+  const std::string bytes = readFile(path, kMaxListBytes);
+  std::vector<TextLine> lines;
+  std::size_t number = 0;
+  for (std::size_t start = 0; start < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', start), bytes.size());
+    if (++number > kMaxLines) {
+      throw refuse(path, "has more than " + std::to_string(kMaxLines) + " lines",
+                   "a shorter list is needed");
+    }
+    std::string text = bytes.substr(start, std::min(end - start, kMaxLineLength + 1));
+    if (!text.empty() && text.back() == '\r') text.pop_back();
+    if (!isBlankOrComment(text)) lines.push_back({number, std::move(text)});
+    start = end + 1;
+  }
+  return lines;
+}
+
+std::vector<std::string> wordsOf(const std::string& text) {
+  std::vector<std::string> words;
+  std::size_t start = text.find_first_not_of(kSeparators);
+  while (start != std::string::npos) {
+    const std::size_t end = text.find_first_of(kSeparators, start);
+    words.push_back(text.substr(start, end - start));
+    start = text.find_first_not_of(kSeparators, end);
+  }
+  return words;
+}
+
+std::optional<double> numberIn(const std::string& word) {
+  // Not strtod: it obeys the locale of the program, where 1.5 may be spelt 1,5.
+  std::istringstream stream(word);
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  stream >> value;
+  const bool whole = !stream.fail() && stream.peek() == std::istringstream::traits_type::eof();
+  if (!whole || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }
+
+std::string shown(const std::string& text) {
+  constexpr std::size_t kLongest = 60;
+  std::string result = text.substr(0, kLongest);
+  std::replace_if(result.begin(), result.end(), isControl, '?');
+  return text.size() > kLongest ? result + "..." : result;
+}
+
+}  // namespace occusg

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/io/output_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "error_sentence.hpp"
+#include "temporary_folder.hpp"
+
+namespace occusg {
+namespace {
+
+using testing::sentenceOf;
+using testing::tells;
+using testing::TemporaryFolder;
+
+std::size_t filesIn(const std::string& folder) {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++count;
+  return count;
+}
+
+/// Makes the file system refuse files beyond a size, as a full disk does.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
+    const rlimit limit{bytes, old_limit_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+
+ private:
+  rlimit old_limit_{};
+  void (*old_handler_)(int) = nullptr;
+};
+
+TEST(OutputFolder, CreatesTheFolderAndItsParentsAndLeavesThemEmpty) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.at("a/b/c"));
+  EXPECT_EQ(output.path(), folder.at("a/b/c"));
+  EXPECT_EQ(filesIn(folder.at("a/b/c")), 0U);
+}
+
+TEST(OutputFolder, WritesAndReplacesFilesAndLeavesNothingElse) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.path());
+  const std::string bytes("a\0b\n", 4);
+  output.write("x.bin", "old");
+  output.write("x.bin", bytes);
+  output.write("empty", "");
+  EXPECT_EQ(folder.read("x.bin"), bytes);
+  EXPECT_EQ(folder.read("empty"), "");
+  EXPECT_EQ(filesIn(folder.path()), 2U);
+}
+
+TEST(OutputFolder, FullDiskKeepsThePreviousFileAndLeavesNoOther) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.path());
+  output.write("x.json", "previous");
+  std::string sentence;
+  {
+    const FileSizeLimit limit(1000);
+    sentence = sentenceOf([&] { output.write("x.json", std::string(5000, 'n')); });
+  }
+  EXPECT_TRUE(tells(sentence, {folder.at("x.json"), "cannot be written", "space left"}));
+  EXPECT_EQ(folder.read("x.json"), "previous");
+  EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+TEST(OutputFolder, FullDiskIsFoundOnOpening) {
+  const TemporaryFolder folder;
+  const FileSizeLimit limit(0);
+  EXPECT_TRUE(tells(sentenceOf([&] { OutputFolder output(folder.path()); }),
+                    {folder.path(), "cannot be written", "space left"}));
+}
+
+TEST(OutputFolder, LeftoverOfAKilledRunIsNoObstacle) {
+  const TemporaryFolder folder;
+  folder.write(".x.json." + std::to_string(::getpid()) + ".part", "half");
+  OutputFolder(folder.path()).write("x.json", "whole");
+  EXPECT_EQ(folder.read("x.json"), "whole");
+  EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+TEST(OutputFolder, FileInPlaceOfTheFolderIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("taken", "x");
+  EXPECT_TRUE(tells(sentenceOf([&] { OutputFolder output(folder.at("taken")); }),
+                    {folder.at("taken") + ": is a file", "a folder is needed"}));
+  EXPECT_TRUE(tells(sentenceOf([&] { OutputFolder output(folder.at("taken/out")); }),
+                    {folder.at("taken/out"), "cannot be created"}));
+  EXPECT_TRUE(tells(sentenceOf([&] { OutputFolder output(""); }), {"cannot be created"}));
+}
+
+TEST(OutputFolder, FolderThatCannotBeWrittenIsFoundOnOpening) {
+  EXPECT_TRUE(tells(sentenceOf([&] { OutputFolder output("/proc/self"); }),
+                    {"/proc/self", "cannot be written"}));
+}
+
+TEST(OutputFolder, ReadOnlyFolderIsFoundOnOpening) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  const TemporaryFolder folder;
+  std::filesystem::permissions(
+      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  EXPECT_TRUE(tells(sentenceOf([&] { OutputFolder output(folder.path()); }),
+                    {folder.path(), "Permission denied"}));
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+}
+
+TEST(OutputFolder, OnlyPlainNamesAreWritten) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.path());
+  for (const std::string& name :
+       {std::string(), std::string("."), std::string(".."), std::string("../x"), std::string("/x"),
+        std::string("a/b"), std::string("a\0b", 3), std::string(201, 'n')})
+    EXPECT_TRUE(
+        tells(sentenceOf([&] { output.write(name, "x"); }), {folder.path(), "is not a file name"}));
+  EXPECT_EQ(filesIn(folder.path()), 0U);
+}
+
+TEST(OutputFolder, FolderInPlaceOfTheFileIsRefusedAndKept) {
+  const TemporaryFolder folder;
+  folder.write("x.json/inside", "x");
+  const OutputFolder output(folder.path());
+  EXPECT_TRUE(tells(sentenceOf([&] { output.write("x.json", "y"); }),
+                    {folder.at("x.json"), "cannot be written"}));
+  EXPECT_EQ(filesIn(folder.path()), 1U);
+  EXPECT_EQ(folder.read("x.json/inside"), "x");
+}
+
+TEST(OutputFolder, FolderThatVanishedIsTold) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.at("out"));
+  std::filesystem::remove(folder.at("out"));
+  EXPECT_TRUE(tells(sentenceOf([&] { output.write("x", "y"); }),
+                    {folder.at("out/x"), "No such file or directory"}));
+}
+
+}  // namespace
+}  // namespace occusg
