@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "occusg/mapping/free_space.hpp"
+#include "occusg/mapping/occupancy_map.hpp"
+#include "occusg/mapping/voxel_run.hpp"
+
+namespace occusg {
+
+struct FreeSpaceLayerConfig {
+  double min_free_gap_m = 0.30;  ///< Shortest free vertical run that makes a cell free [m].
+  int min_obstacle_level = 5;  ///< Cells below this level are unknown rather than obstacle, 0..100.
+  /// Only voxels that lie wholly between these heights count, in the map frame [m]. The paper uses
+  /// all heights.
+  double lowest_z_m = -std::numeric_limits<double>::infinity();
+  double highest_z_m = std::numeric_limits<double>::infinity();
+};
+
+/// The layer's box is the bounds of all columns with a known voxel, at whatever height, widened to
+/// multiples of so many cells: it depends on the map alone, not on the order of updates, and grows
+/// in steps.
+inline constexpr int kLayerBoxStep_cells = 64;
+
+/// Largest layer [cells]; a map beyond it comes from a pose that jumped rather than from a
+/// building.
+inline constexpr std::size_t kMaxLayerCells = std::size_t{1} << 26;
+
+/// Collapses the occupancy map into the 2D free-space layer (paper, Sec. 3.2; Fredriksson et al.
+/// 2024): a column is free when it has a free run of at least `min_free_gap_m`; a column without
+/// one, beside a free column (8 neighbours), is an obstacle to the degree in which it fills that
+/// column's lowest such run, 2 * floor(100 * filled / free) up to 100 and the largest over the
+/// neighbours; everything else is unknown.
+class FreeSpaceLayer {
+ public:
+  /// @param frame must have the resolution of the maps given to `update`.
+  /// @throws Error naming the field, its value and the allowed range.
+  FreeSpaceLayer(const FreeSpaceLayerConfig& config, const GridFrame& frame);
+
+  /// Recomputes the columns in `change` and the cells beside them; afterwards the layer equals
+  /// `recompute` of the same map, box and cells, provided every change of the map was given. Cost
+  /// follows the change, not the map.
+  /// @throws Error when the map has another resolution or spans more than kMaxLayerCells; the layer
+  /// is as it was before.
+  const FreeSpace& update(const OccupancyMap& map, const MapChange& change);
+
+  /// Recomputes everything: for a map that was loaded, and as the test oracle.
+  const FreeSpace& recompute(const OccupancyMap& map);
+
+  /// In `changed`, cells the layer did not cover before count as having been unknown.
+  [[nodiscard]] const FreeSpace& freeSpace() const { return layer_; }
+  void reset();
+
+ private:
+  struct ColumnState {
+    VoxelRun lowest_free;  ///< Lowest free run long enough; empty when there is none.
+    bool queued = false;   ///< In `queue_`.
+  };
+
+  void checkResolution(const OccupancyMap& map) const;
+  void cover(const CellBox& known_columns);
+  void remeasure(const octomap::OcTree& tree, const Cell& cell);
+  void queue(const Cell& cell);
+  void evaluate(const octomap::OcTree& tree, const Cell& cell);
+  [[nodiscard]] std::int8_t valueOf(const octomap::OcTree& tree, const Cell& cell);
+
+  FreeSpaceLayerConfig config_;
+  int needed_voxels_;          ///< Length of the shortest run that counts.
+  VoxelRun heights_;           ///< Voxels between the height limits.
+  Grid<ColumnState> columns_;  ///< Same box as the layer.
+  std::vector<Cell> queue_;    ///< Cells whose value must be found anew; empty between updates.
+  std::vector<VoxelRun> occupied_;  ///< Reused between cells.
+  FreeSpace layer_;
+};
+
+}  // namespace occusg

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <octomap/OcTree.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "occusg/geometry/cell.hpp"
+#include "occusg/perception/point_cloud.hpp"
+
+namespace occusg {
+
+class FrameVoxels;
+class VoxelTree;
+
+struct OccupancyMapConfig {
+  double resolution_m = 0.05;     ///< Voxel edge [m], [0.001, 10].
+  double max_range_m = 8.0;       ///< Rays are cut here, and a cut ray hits nothing [m].
+  double hit_probability = 0.7;   ///< (0.5, 1).
+  double miss_probability = 0.4;  ///< (0, 0.5).
+  double min_probability = 0.12;  ///< Lower clamp, (0, 0.5).
+  double max_probability = 0.97;  ///< Upper clamp, (0.5, 1).
+};
+
+/// Longest range, in voxels.
+inline constexpr double kMaxRangeVoxels = 30000.0;
+
+/// What one frame did to the map.
+struct MapChange {
+  /// Columns in which a voxel became known, free or occupied; row-major, unique.
+  std::vector<Cell> columns;
+  std::size_t points_outside_map = 0;  ///< Beyond OctoMap's 16-bit keys or not finite; ignored.
+  bool origin_outside_map = false;     ///< The whole frame was ignored.
+};
+
+/// The 3D occupancy map, an `octomap::OcTree` others can read (paper, Sec. 3.2).
+///
+/// One update per voxel and frame: the voxels a ray passes get a miss, the voxel it ends in a hit,
+/// and a hit wins over misses of the same frame. For a cloud without misses the tree equals that of
+/// `octomap::OcTree::insertPointCloud(points, origin, max_range_m)`, node by node. So a ray that is
+/// cut at the maximum range stops short of the voxel it is cut in; one that ends in a point of
+/// `misses` clears that voxel too.
+class OccupancyMap {
+ public:
+  /// @throws Error naming the field, its value and the allowed range; the maximum range must lie in
+  /// [1, kMaxRangeVoxels] voxels.
+  explicit OccupancyMap(const OccupancyMapConfig& config);
+  OccupancyMap(OccupancyMap&&) noexcept;
+  OccupancyMap& operator=(OccupancyMap&&) noexcept;
+  OccupancyMap(const OccupancyMap&) = delete;
+  OccupancyMap& operator=(const OccupancyMap&) = delete;
+  ~OccupancyMap();
+
+  /// Integrates one frame. Linear in the voxels its rays pass.
+  MapChange insert(const PointCloud& cloud);
+
+  [[nodiscard]] const octomap::OcTree& tree() const;
+  [[nodiscard]] const OccupancyMapConfig& config() const { return config_; }
+  /// Forgets everything.
+  void reset();
+
+ private:
+  enum class RayEnd { kHit, kMiss };
+  [[nodiscard]] bool markRay(const octomap::point3d& origin, const Point3f& end, RayEnd meaning);
+
+  OccupancyMapConfig config_;
+  std::unique_ptr<VoxelTree> tree_;
+  std::unique_ptr<FrameVoxels> frame_;  ///< Reused between frames.
+  octomap::KeyRay ray_;                 ///< Reused between rays.
+};
+
+}  // namespace occusg

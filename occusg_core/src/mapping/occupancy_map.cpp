@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/mapping/occupancy_map.hpp"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "mapping/frame_voxels.hpp"
+#include "mapping/voxel_tree.hpp"
+#include "occusg/error.hpp"
+
+namespace occusg {
+namespace {
+
+enum class Limits { kInside, kOutside };  ///< Whether the limits themselves are allowed.
+
+void checkRange(const char* field, double value, double low, double high, Limits limits) {
+  const bool inclusive = limits == Limits::kInside;
+  if (inclusive ? value >= low && value <= high : value > low && value < high) return;
+  throw refuse(field, "is " + std::to_string(value),
+               std::string("it must be in ") + (inclusive ? "[" : "(") + std::to_string(low) +
+                   ", " + std::to_string(high) + (inclusive ? "]" : ")"));
+}
+
+const OccupancyMapConfig& checked(const OccupancyMapConfig& config) {
+  checkRange("resolution_m", config.resolution_m, 0.001, 10.0, Limits::kInside);
+  checkRange("max_range_m", config.max_range_m, config.resolution_m,
+             kMaxRangeVoxels * config.resolution_m, Limits::kInside);
+  checkRange("hit_probability", config.hit_probability, 0.5, 1.0, Limits::kOutside);
+  checkRange("miss_probability", config.miss_probability, 0.0, 0.5, Limits::kOutside);
+  checkRange("min_probability", config.min_probability, 0.0, 0.5, Limits::kOutside);
+  checkRange("max_probability", config.max_probability, 0.5, 1.0, Limits::kOutside);
+  return config;
+}
+
+octomap::point3d toOctomap(const Point3f& point) { return {point.x, point.y, point.z}; }
+
+/// OctoMap converts coordinates to int before it compares, and prints when they are out of bounds.
+bool insideMap(const octomap::OcTree& tree, const octomap::point3d& point) {
+  const double reach_m = (kZeroKey + 1) * tree.getResolution();
+  for (unsigned axis = 0; axis < 3; ++axis)
+    if (!(std::abs(static_cast<double>(point(axis))) <= reach_m)) return false;
+  octomap::OcTreeKey key;
+  return tree.coordToKeyChecked(point, key);
+}
+
+}  // namespace
+
+OccupancyMap::OccupancyMap(const OccupancyMapConfig& config)
+    : config_(checked(config)),
+      tree_(std::make_unique<VoxelTree>(config.resolution_m)),
+      frame_(std::make_unique<FrameVoxels>()) {
+  tree_->setProbHit(config_.hit_probability);
+  tree_->setProbMiss(config_.miss_probability);
+  tree_->setClampingThresMin(config_.min_probability);
+  tree_->setClampingThresMax(config_.max_probability);
+}
+
+OccupancyMap::OccupancyMap(OccupancyMap&&) noexcept = default;
+OccupancyMap& OccupancyMap::operator=(OccupancyMap&&) noexcept = default;
+OccupancyMap::~OccupancyMap() = default;
+
+MapChange OccupancyMap::insert(const PointCloud& cloud) {
+  MapChange change;
+  const octomap::point3d origin = toOctomap(cloud.origin);
+  if (!insideMap(*tree_, origin)) {
+    change.origin_outside_map = true;
+    return change;
+  }
+  frame_->clear();
+  for (const Point3f& point : cloud.points)
+    if (!markRay(origin, point, RayEnd::kHit)) ++change.points_outside_map;
+  for (const Point3f& point : cloud.misses)
+    if (!markRay(origin, point, RayEnd::kMiss)) ++change.points_outside_map;
+  change.columns = tree_->integrate(frame_->settled());
+  return change;
+}
+
+/// @return false when the ray leaves the map or is none; nothing is marked then.
+bool OccupancyMap::markRay(const octomap::point3d& origin, const Point3f& end, RayEnd meaning) {
+  const octomap::point3d measured = toOctomap(end);
+  const octomap::point3d ray = measured - origin;
+  const double range_m = ray.norm();
+  if (!std::isfinite(range_m)) return false;
+  const bool cut = range_m > config_.max_range_m;
+  // The arithmetic, in single precision, is that of insertPointCloud.
+  const octomap::point3d last =
+      cut ? origin + ray.normalized() * static_cast<float>(config_.max_range_m) : measured;
+  if (!insideMap(*tree_, last)) return false;
+
+  (void)tree_->computeRayKeys(origin, last, ray_);  // false only when an end is outside the map
+  for (const octomap::OcTreeKey& key : ray_) frame_->markFree(key);
+  if (meaning == RayEnd::kMiss) {
+    frame_->markFree(tree_->coordToKey(last));
+  } else if (!cut) {
+    frame_->markOccupied(tree_->coordToKey(last));
+  }
+  return true;
+}
+
+const octomap::OcTree& OccupancyMap::tree() const { return *tree_; }
+
+void OccupancyMap::reset() { tree_->clear(); }
+
+}  // namespace occusg

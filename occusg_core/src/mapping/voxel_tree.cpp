@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/voxel_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+
+namespace occusg {
+namespace {
+
+constexpr unsigned kTreeDepth = 16;
+constexpr unsigned kBlockDepth = kTreeDepth - kBlockLevels;
+constexpr int kBlockSide = 1 << kBlockLevels;
+
+/// Every third bit of a Morton code from the lowest on, packed: one coordinate of the block.
+int compact(std::uint64_t code) {
+  int coordinate = 0;
+  for (unsigned i = 0; i < kBlockDepth; ++i)
+    coordinate |= static_cast<int>((code >> (3 * i)) & 1U) << i;
+  return coordinate;
+}
+
+unsigned childIndex(std::uint64_t code, unsigned depth) {
+  return static_cast<unsigned>(code >> (3 * (kBlockDepth - 1 - depth))) & 7U;
+}
+
+/// Bits of the first `voxels` voxels.
+std::uint64_t lowest(unsigned voxels) {
+  return voxels == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << voxels) - 1;
+}
+
+/// The 4 x 4 columns of a word, given in bits x0 y0 - x1 y1 - of the Morton place, as bits
+/// 8 * y + x of a block.
+std::uint64_t columnsOfWord(std::uint64_t word) {
+  word |= word >> 4;   // lower and upper voxel of a pair
+  word |= word >> 32;  // lower and upper pair
+  std::uint64_t columns = 0;
+  for (unsigned y = 0; y < 4; ++y) {
+    for (unsigned x = 0; x < 4; ++x) {
+      const unsigned place = (x & 1U) | (y & 1U) << 1 | (x >> 1) << 3 | (y >> 1) << 4;
+      columns |= ((word >> place) & 1U) << (8 * y + x);
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<Cell> VoxelTree::integrate(const std::vector<VoxelBlock>& blocks) {
+  changed_.clear();
+  if (blocks.empty()) return {};
+  Place top{root, Age::kOld};
+  if (root == nullptr) {
+    root = new Node();  // owned by the base class, which offers no other way to make a root
+    ++tree_size;
+    size_changed = true;
+    top = {root, Age::kNew};
+  }
+  updateAbove(top, 0, blocks.begin(), blocks.end());
+  return changedColumns();
+}
+
+void VoxelTree::updateAbove(const Place& place, unsigned depth, BlockIterator first,
+                            BlockIterator last) {
+  if (depth == kBlockDepth) {
+    updateBlock(place, *first);
+    return;
+  }
+  if (isLeaf(place) && ignores(place, allMarks(first, last))) return;
+  while (first != last) {
+    const unsigned index = childIndex(first->code, depth);
+    const BlockIterator next = std::find_if(first, last, [&](const VoxelBlock& block) {
+      return childIndex(block.code, depth) != index;
+    });
+    updateAbove(child(place, index), depth + 1, first, next);
+    first = next;
+  }
+  finish(place.node);
+}
+
+void VoxelTree::updateBlock(const Place& place, const VoxelBlock& block) {
+  std::array<std::uint64_t, 8> changed{};
+  for (unsigned i = 0; i < block.free.size(); ++i) {
+    const Marks marks{block.free[i], block.occupied[i]};
+    if ((marks.free | marks.occupied) == 0 || ignores(place, marks)) continue;
+    changed[i] = updateBelow(child(place, i), 64, marks);
+  }
+  finish(place.node);
+  note(block, changed);
+}
+
+/// What any of the blocks asks for.
+VoxelTree::Marks VoxelTree::allMarks(BlockIterator first, BlockIterator last) {
+  Marks marks;
+  for (; first != last; ++first) {
+    for (unsigned i = 0; i < first->free.size(); ++i) {
+      marks.free |= first->free[i];
+      marks.occupied |= first->occupied[i];
+    }
+  }
+  return marks;
+}
+
+/// @param voxels number of voxels below the node: 64, 8 or 1.
+/// @return the voxels whose state changed, in the bits of `marks`.
+std::uint64_t VoxelTree::updateBelow(const Place& place, unsigned voxels, const Marks& marks) {
+  if (ignores(place, marks)) return 0;
+  const std::uint64_t all = lowest(voxels);
+  if (isLeaf(place) || place.age == Age::kNew) {
+    if (marks.free == all) return updateLeaf(place, all, prob_miss_log);
+    if (marks.occupied == all) return updateLeaf(place, all, prob_hit_log);
+  }
+  const unsigned part = voxels / 8;
+  std::uint64_t changed = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const Marks below{(marks.free >> (i * part)) & lowest(part),
+                      (marks.occupied >> (i * part)) & lowest(part)};
+    if ((below.free | below.occupied) == 0) continue;
+    changed |= updateBelow(child(place, i), part, below) << (i * part);
+  }
+  finish(place.node);
+  return changed;
+}
+
+std::uint64_t VoxelTree::updateLeaf(const Place& place, std::uint64_t all, float log_odds) {
+  const bool was_occupied = isNodeOccupied(place.node);
+  updateNodeLogOdds(place.node, log_odds);
+  const bool changed = place.age == Age::kNew || isNodeOccupied(place.node) != was_occupied;
+  return changed ? all : 0;
+}
+
+VoxelTree::Place VoxelTree::child(const Place& parent, unsigned index) {
+  if (isLeaf(parent)) expandNode(parent.node);
+  if (nodeChildExists(parent.node, index)) return {getNodeChild(parent.node, index), Age::kOld};
+  return {createNodeChild(parent.node, index), Age::kNew};
+}
+
+/// A node that stands for all voxels below it; a node this frame made stands for none yet.
+bool VoxelTree::isLeaf(const Place& place) const {
+  return place.age == Age::kOld && !nodeHasChildren(place.node);
+}
+
+/// True when the marks leave the voxels of a leaf as they are: clamped values do not move further.
+bool VoxelTree::ignores(const Place& place, const Marks& marks) const {
+  if (!isLeaf(place)) return false;
+  const float log_odds = place.node->getLogOdds();
+  return (marks.occupied == 0 && log_odds <= clamping_thres_min) ||
+         (marks.free == 0 && log_odds >= clamping_thres_max);
+}
+
+void VoxelTree::finish(Node* node) {
+  if (!nodeHasChildren(node)) return;
+  if (!pruneNode(node)) node->updateOccupancyChildren();
+}
+
+void VoxelTree::note(const VoxelBlock& block, const std::array<std::uint64_t, 8>& changed) {
+  std::uint64_t columns = 0;
+  for (unsigned quarter = 0; quarter < 4; ++quarter) {
+    const std::uint64_t word = changed[quarter] | changed[quarter + 4];
+    if (word != 0) columns |= columnsOfWord(word) << (32 * (quarter >> 1) + 4 * (quarter & 1U));
+  }
+  if (columns == 0) return;
+  constexpr int kZeroBlock = kZeroKey / kBlockSide;
+  changed_.push_back(
+      {compact(block.code) - kZeroBlock, compact(block.code >> 1) - kZeroBlock, columns});
+}
+
+std::vector<Cell> VoxelTree::changedColumns() {
+  std::sort(changed_.begin(), changed_.end(), [](const BlockColumns& a, const BlockColumns& b) {
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+  });
+  // Blocks above each other share their columns.
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < changed_.size(); ++i) {
+    const bool same =
+        kept > 0 && changed_[kept - 1].x == changed_[i].x && changed_[kept - 1].y == changed_[i].y;
+    if (same) {
+      changed_[kept - 1].columns |= changed_[i].columns;
+    } else {
+      changed_[kept++] = changed_[i];
+    }
+  }
+  changed_.resize(kept);
+
+  std::vector<Cell> columns;
+  for (auto row = changed_.begin(); row != changed_.end();) {
+    const auto end = std::find_if(row, changed_.end(),
+                                  [&](const BlockColumns& block) { return block.y != row->y; });
+    for (int y = 0; y < kBlockSide; ++y) {
+      for (auto block = row; block != end; ++block) {
+        for (int x = 0; x < kBlockSide; ++x) {
+          if ((block->columns >> (kBlockSide * y + x)) & 1U)
+            columns.push_back({block->x * kBlockSide + x, block->y * kBlockSide + y});
+        }
+      }
+    }
+    row = end;
+  }
+  return columns;
+}
+
+}  // namespace occusg
