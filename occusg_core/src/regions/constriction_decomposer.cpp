@@ -93,7 +93,8 @@ ConstrictionDecomposer::ConstrictionDecomposer(const ConstrictionDecomposerConfi
   requireRange(where + "max_filled_obstacle_m2", config.max_filled_obstacle_m2, 0.0, 1e6);
 }
 
-const Decomposition& ConstrictionDecomposer::update(const FreeSpace& layer) {
+const Decomposition& ConstrictionDecomposer::update(const FreeSpace& layer,
+                                                    const CellBox& /*changed*/) {
   const Grid<std::int32_t> labels = spreadOver(layer.cells.box(), labelsOf(layer, config_));
   decomposition_ = decompositionOf(labels, layer.frame, config_.min_crossing_m);
   return decomposition_;

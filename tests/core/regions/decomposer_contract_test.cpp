@@ -17,6 +17,7 @@
 #include "floor_plans.hpp"
 #include "occusg/geometry/cell_outline.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
+#include "occusg/regions/dude_decomposer.hpp"
 #include "occusg/regions/decomposer.hpp"
 #include "occusg/regions/label_regions.hpp"
 
@@ -44,7 +45,16 @@ std::unique_ptr<Decomposer> makeDecomposer<ConstrictionDecomposer>() {
   return std::make_unique<ConstrictionDecomposer>(config);
 }
 
-using Implementations = ::testing::Types<ConstrictionDecomposer>;
+template <>
+std::unique_ptr<Decomposer> makeDecomposer<DudeDecomposer>() {
+  DudeDecomposerConfig config;
+  config.depth_threshold_m = 1.5;  // the paper's, which row 5 is stated for
+  config.max_ignored_hole_m = 1.0;
+  config.min_region_area_m2 = kLargestSpeck_m2;
+  return std::make_unique<DudeDecomposer>(config);
+}
+
+using Implementations = ::testing::Types<ConstrictionDecomposer, DudeDecomposer>;
 
 bool isFree(const FreeSpace& layer, const Cell& cell) {
   return layer.cells.valueOr(cell, kUnknown) == kFree;

@@ -39,7 +39,8 @@ class ConstrictionDecomposer final : public Decomposer {
   explicit ConstrictionDecomposer(const ConstrictionDecomposerConfig& config);
 
   /// Computed from the whole layer; O(cells).
-  const Decomposition& update(const FreeSpace& layer) override;
+  using Decomposer::update;
+  const Decomposition& update(const FreeSpace& layer, const CellBox& changed) override;
   void reset() override;
 
  private:

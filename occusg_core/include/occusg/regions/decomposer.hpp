@@ -22,10 +22,14 @@ class Decomposer {
   Decomposer& operator=(Decomposer&&) = delete;
   virtual ~Decomposer() = default;
 
-  /// Total: every layer has a decomposition, if only an empty one. Equal sequences of layers give
+  /// Total: every layer has a decomposition, if only an empty one. Equal sequences of calls give
   /// equal results. The reference stays valid until the next call.
-  /// @param layer the whole layer; `layer.changed` bounds what differs from the previous call.
-  virtual const Decomposition& update(const FreeSpace& layer) = 0;
+  /// @param layer the whole layer.
+  /// @param changed bounds of the cells that differ from the previous call's layer.
+  virtual const Decomposition& update(const FreeSpace& layer, const CellBox& changed) = 0;
+
+  /// For a caller that passes on every update of the layer.
+  const Decomposition& update(const FreeSpace& layer) { return update(layer, layer.changed); }
 
   /// Forgets everything kept from earlier updates.
   virtual void reset() = 0;
