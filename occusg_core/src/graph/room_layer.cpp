@@ -177,7 +177,7 @@ void RoomLayer::syncContainment(SceneGraph& graph) const {
 }
 
 void RoomLayer::createRoom(SceneGraph& graph, int region, RoomReason reason, double stamp_s) {
-  const NodeId number = graph.nextId(NodeType::kRoom) - firstId(NodeType::kRoom);
+  const int number = roomNumber(graph.nextId(NodeType::kRoom));
   RoomAttributes room;
   room.name = "room_" + std::to_string(number);
   room.region_id = region;

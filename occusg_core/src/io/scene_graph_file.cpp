@@ -79,8 +79,6 @@ json membersOf(const Edge& edge) {
   return members;
 }
 
-int roomNumber(NodeId id) { return static_cast<int>(id - firstId(NodeType::kRoom)) + 1; }
-
 }  // namespace
 
 std::string toJson(const SceneGraph& graph, const std::string& scene, const std::string& frame) {

@@ -147,8 +147,7 @@ class AttributeMembers {
   }
 
   json operator()(const RoomAttributes& room) const {
-    const int number = static_cast<int>(node_.id - firstId(NodeType::kRoom)) + 1;
-    json members = semantics(room.name, roomColor(number, kRoomTone),
+    json members = semantics(room.name, roomColor(roomNumber(node_.id), kRoomTone),
                              boxAround(room.polygon, node_.position.z()));
     json holes = json::array();
     for (const Ring& hole : room.polygon.holes) holes.push_back(jsonOf(hole));

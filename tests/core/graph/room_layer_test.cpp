@@ -69,7 +69,7 @@ TEST(RoomLayer, Row12TheFirstRoomIsTheRegionOfTheFirstPose) {
   EXPECT_TRUE(room.polygon.holes.empty());
   EXPECT_EQ(room.region_id, 5);
   EXPECT_TRUE(room.isBootstrap());
-  EXPECT_EQ(room.name, "room_0");
+  EXPECT_EQ(room.name, "room_1");
   EXPECT_EQ(room.label, "unknown");
   EXPECT_DOUBLE_EQ(room.area_m2, 20.0);
   EXPECT_EQ(rooms.current(), kFirst);
@@ -168,7 +168,7 @@ TEST(RoomLayer, Row15ARoomMovesToTheRegionThatReplacesItsOwn) {
   rooms.steps(2, tracked({squareAt(2, 20.0), successor}), 22.0);
   EXPECT_EQ(rooms.ids(), (std::vector<NodeId>{kFirst, second}));
   EXPECT_EQ(rooms.on(7), kFirst);
-  EXPECT_EQ(rooms.graph().room(kFirst).name, "room_0");
+  EXPECT_EQ(rooms.graph().room(kFirst).name, "room_1");
   EXPECT_EQ(rooms.graph().room(kFirst).polygon.outer, successor.polygon.outer);
   EXPECT_FALSE(rooms.graph().room(kFirst).unsupported_since_s);
   EXPECT_EQ(rooms.graph().roomOf(object), kFirst);
@@ -320,7 +320,7 @@ TEST(RoomLayer, NamesAreNeverUsedAgain) {
   rooms.steps(3, tracked({squareAt(1, 0.0)}), 2.0);
   rooms.steps(4, tracked({squareAt(2, 50.0)}), 52.0);
   ASSERT_EQ(rooms.ids().size(), 1U);
-  EXPECT_EQ(rooms.graph().room(rooms.on(2)).name, "room_1");
+  EXPECT_EQ(rooms.graph().room(rooms.on(2)).name, "room_2");
 }
 
 TEST(RoomLayer, RoomsStandOnTheFloor) {

@@ -40,8 +40,8 @@ SceneGraph sampleGraph() {
   pose.translation() = Eigen::Vector3d(1, 2, 1.23456);
   const NodeId agent = graph.add(pose.translation(), 1.5, AgentAttributes{pose}).id;
   const NodeId next_agent = graph.add({2, 2, 1}, 2.5, AgentAttributes{pose}).id;
-  const NodeId left = graph.add({2, 1.5, 0}, 3.0, roomFrom(0, "room_0", 7)).id;
-  RoomAttributes missing = roomFrom(4, "room_1", 9);
+  const NodeId left = graph.add({2, 1.5, 0}, 3.0, roomFrom(0, "room_1", 7)).id;
+  RoomAttributes missing = roomFrom(4, "room_2", 9);
   missing.unsupported_since_s = 4.25;
   const NodeId right = graph.add({6, 1.5, 0}, 3.0, missing).id;
   const NodeId chair = graph.add({1, 1, 0.5}, 4.0, ObjectAttributes{"chair", 0.9}).id;
@@ -94,7 +94,7 @@ TEST(SceneGraphFile, NodesCarryWhatTheirTypeHas) {
   EXPECT_EQ(place["block"], json::array({1, -1}));
   EXPECT_EQ(place["free_cells"], 100);
   const json room = nodeOf(document, 4'000'001);
-  EXPECT_EQ(room["name"], "room_1");
+  EXPECT_EQ(room["name"], "room_2");
   EXPECT_EQ(room["label"], "kitchen");
   EXPECT_EQ(room["region_id"], 9);
   EXPECT_EQ(room["reason"], "visited");
@@ -141,7 +141,7 @@ TEST(SceneGraphFile, EmptyGraphIsStillComplete) {
 
 TEST(SceneGraphFile, PolygonThatIsNotFiniteIsNotWritten) {
   SceneGraph graph;
-  graph.add({0, 0, 0}, 0.0, roomFrom(std::nan(""), "room_0", 1));
+  graph.add({0, 0, 0}, 0.0, roomFrom(std::nan(""), "room_1", 1));
   EXPECT_TRUE(tells(sentenceOf([&] { (void)toJson(graph, ""); }), {"not finite"}));
   EXPECT_TRUE(tells(sentenceOf([&] { (void)toSparkDsg(graph, ""); }), {"not finite"}));
 }
@@ -226,7 +226,7 @@ TEST(SparkDsgFile, HeaderAndNamesAreThoseOfVersionOneOne) {
 TEST(SparkDsgFile, RoomHasNameBoxPolygonAndColour) {
   const auto nodes = dsgNodes(json::parse(toSparkDsg(sampleGraph(), "flat")));
   const json& room = nodes.at(symbol('R', 1))["attributes"];
-  EXPECT_EQ(room["name"], "room_1");
+  EXPECT_EQ(room["name"], "room_2");
   EXPECT_EQ(room["position"], json::array({6.0, 1.5, 0.0}));
   EXPECT_EQ(room["bounding_box"]["type"], "AABB");
   EXPECT_EQ(room["bounding_box"]["world_P_center"], json::array({6.0, 1.5, 0.0}));

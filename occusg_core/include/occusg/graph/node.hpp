@@ -28,6 +28,13 @@ inline constexpr std::size_t kNodeTypeCount = 5;
 /// One past the last id of any type.
 inline constexpr NodeId kIdEnd = 6'000'000;
 
+/// The n of "room_<n>": the n-th room there ever was, counting from 1, because label images keep 0
+/// for "no room".
+/// @param id id of a room, given out or next.
+[[nodiscard]] constexpr int roomNumber(NodeId id) {
+  return static_cast<int>(id - firstId(NodeType::kRoom)) + 1;
+}
+
 /// "AGENT", "OBJECT", "NAVIGATION", "ROOM" or "DOOR".
 [[nodiscard]] const char* nameOf(NodeType type);
 

@@ -17,7 +17,7 @@ enum class RoomReason {
 
 /// What the graph knows of a room beyond what every node has.
 struct RoomAttributes {
-  std::string name;      ///< "room_<n>", n counting rooms from 0; never used again.
+  std::string name;      ///< "room_<n>", n counting rooms from 1; never used again.
   int region_id = 0;     ///< Track the room is anchored to; no two rooms share one.
   Polygon polygon;       ///< Footprint: the region's polygon when last seen, map frame [m].
   double area_m2 = 0.0;  ///< Of `polygon`, holes taken out.

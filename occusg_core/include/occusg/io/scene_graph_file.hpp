@@ -25,7 +25,7 @@ inline constexpr int kSceneGraphFileVersion = 1;
 [[nodiscard]] std::string toJson(const SceneGraph& graph, const std::string& scene,
                                  const std::string& frame = "map");
 
-/// The graph's rooms as a `RoomsFile`: id = n of "room_<n>" plus 1 (the n-th room there ever was),
+/// The graph's rooms as a `RoomsFile`: id = n of "room_<n>", the n-th room there ever was,
 /// doors = the crossings of adjacent rooms.
 [[nodiscard]] RoomsFile roomsOf(const SceneGraph& graph, const std::string& scene,
                                 double floor_z_m);
