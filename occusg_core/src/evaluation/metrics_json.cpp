@@ -63,11 +63,12 @@ std::string toJson(const RoomMetrics& metrics) {
                  {"dude_R", metrics.dude_recall}};
   for (const ThresholdMetrics& at : metrics.at) object[keyOf(at.threshold)] = toObject(at);
   json pairs = json::array();
-  for (const MatchedRooms& pair : metrics.matched)
+  for (const MatchedRooms& pair : metrics.matched) {
     pairs.push_back({{"pred", pair.predicted_id},
                      {"gt", pair.truth_id},
                      {"iou", pair.iou},
                      {"bF1", pair.boundary_f1}});
+  }
   object["pairs"] = std::move(pairs);
   return object.dump(1) + "\n";
 }

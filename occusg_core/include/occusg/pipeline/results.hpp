@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "occusg/io/rooms_file.hpp"
+#include "occusg/pipeline/pipeline.hpp"
+
+namespace occusg {
+
+/// A file to be written: its plain name and its bytes.
+struct ResultFile {
+  std::string name;
+  std::string bytes;
+};
+
+/// The rooms the pipeline has now, with the doors between them.
+[[nodiscard]] RoomsFile roomsOf(const Pipeline& pipeline, const std::string& scene);
+
+/// `timing.json`: {stage: {count, mean_ms, std_ms, p50_ms, p95_ms, max_ms, memory_mib}}.
+[[nodiscard]] std::string timingJson(const StageTimes& times);
+
+/// Everything a run leaves behind: rooms, scene graph in our format and Spark-DSG's, GeoJSON, the
+/// free-space map as map_server reads it, the overview picture, the timing.
+[[nodiscard]] std::vector<ResultFile> resultFiles(const Pipeline& pipeline,
+                                                  const std::string& scene,
+                                                  const StageTimes& times);
+
+}  // namespace occusg

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/pipeline/config.hpp"
+
+#include <limits>
+
+#include "occusg/error.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLongest_m = 1000.0;
+
+using Parameters = std::vector<Parameter>;
+
+void addPerception(Parameters& list, DepthProjectorConfig& depth) {
+  list.push_back(countParameter(
+      depth.stride, {1, 64},
+      {"perception.depth.stride", "pixels", "Every n-th pixel in both directions is used.", "2"}));
+  list.push_back(
+      numberParameter(depth.min_depth_m, {0.0, kLongest_m},
+                      {"perception.depth.min_depth_m", "m", "Nearer pixels are dropped.", "0.01"}));
+  list.push_back(numberParameter(
+      depth.max_depth_m, {0.0, kLongest_m},
+      {"perception.depth.max_depth_m", "m", "Farther pixels carry no surface.", "10"}));
+  list.push_back(choiceParameter<BeyondMaxDepth>(
+      depth.beyond_max_depth, {{"drop", BeyondMaxDepth::kDrop}, {"clear", BeyondMaxDepth::kClear}},
+      {"perception.depth.beyond_max_depth", "",
+       "What a pixel beyond the maximum depth means: nothing, or free space up to there.",
+       "drop"}));
+}
+
+void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerConfig& layer) {
+  list.push_back(numberParameter(
+      occupancy.resolution_m, {0.01, 1.0},
+      {"mapping.occupancy.resolution_m", "m", "Edge of a voxel and of a 2D cell.", "0.05"}));
+  list.push_back(numberParameter(
+      occupancy.max_range_m, {0.1, kLongest_m},
+      {"mapping.occupancy.max_range_m", "m", "Rays are cut here; a cut ray hits nothing.", "8"}));
+  list.push_back(numberParameter(
+      occupancy.hit_probability, {0.5, 0.999},
+      {"mapping.occupancy.hit_probability", "", "Occupancy probability a hit stands for.", "0.7"}));
+  list.push_back(numberParameter(occupancy.miss_probability, {0.001, 0.5},
+                                 {"mapping.occupancy.miss_probability", "",
+                                  "Occupancy probability a miss stands for.", "0.4"}));
+  list.push_back(numberParameter(
+      occupancy.min_probability, {0.001, 0.5},
+      {"mapping.occupancy.min_probability", "", "A voxel is never held freer than this.", "0.12"}));
+  list.push_back(numberParameter(occupancy.max_probability, {0.5, 0.999},
+                                 {"mapping.occupancy.max_probability", "",
+                                  "A voxel is never held more occupied than this.", "0.97"}));
+
+  list.push_back(numberParameter(layer.min_free_gap_m, {0.01, 10.0},
+                                 {"mapping.free_space.min_free_gap_m", "m",
+                                  "Shortest free vertical run that makes a cell free.", "0.3"}));
+  list.push_back(
+      countParameter(layer.min_obstacle_level, {0, 100},
+                     {"mapping.free_space.min_obstacle_level", "%",
+                      "Cells filled to a lower degree are unknown, not obstacle.", "5"}));
+  list.push_back(numberParameter(
+      layer.lowest_z_m, {-kInfinity, kInfinity},
+      {"mapping.free_space.lowest_z_m", "m", "What lies lower does not count.", "-.inf"}));
+  list.push_back(numberParameter(
+      layer.highest_z_m, {-kInfinity, kInfinity},
+      {"mapping.free_space.highest_z_m", "m", "What lies higher does not count.", ".inf"}));
+}
+
+void addDecomposition(Parameters& list, PipelineConfig& config) {
+  list.push_back(
+      numberParameter(config.region_period_s, {0.0, 3600.0},
+                      {"regions.period_s", "s",
+                       "Regions are updated when so much logical time has passed.", "0.5"}));
+  list.push_back(choiceParameter<DecomposerKind>(
+      config.decomposer,
+      {{"dude", DecomposerKind::kDude}, {"constriction", DecomposerKind::kConstriction}},
+      {"regions.decomposer", "", "How free space is cut into regions.", "dude"}));
+}
+
+void addConstriction(Parameters& list, ConstrictionDecomposerConfig& constriction) {
+  list.push_back(numberParameter(
+      constriction.widest_door_m, {0.1, 100.0},
+      {"regions.constriction.widest_door_m", "m", "A wider passage never separates two regions."}));
+  list.push_back(numberParameter(
+      constriction.shallowest_basin_ratio, {0.01, 1.0},
+      {"regions.constriction.shallowest_basin_ratio", "",
+       "Nor does one wider than this share of the smaller side's largest free circle."}));
+  list.push_back(numberParameter(
+      constriction.door_widening, {1.0, 100.0},
+      {"regions.constriction.door_widening", "",
+       "Such a wide passage separates all the same when both sides widen by this factor."}));
+  list.push_back(numberParameter(
+      constriction.door_reach_m, {0.0, 100.0},
+      {"regions.constriction.door_reach_m", "m", "Within this distance of the passage."}));
+  list.push_back(numberParameter(constriction.min_region_area_m2, {0.0, 1e6},
+                                 {"regions.constriction.min_region_area_m2", "m2",
+                                  "Smaller regions join a neighbour or are dropped."}));
+  list.push_back(numberParameter(constriction.min_crossing_m, {0.0, 100.0},
+                                 {"regions.constriction.min_crossing_m", "m",
+                                  "Regions that touch along less are not adjacent."}));
+  list.push_back(numberParameter(constriction.max_filled_obstacle_m2, {0.0, 1e6},
+                                 {"regions.constriction.max_filled_obstacle_m2", "m2",
+                                  "Obstacle islands up to this area do not shape regions."}));
+  list.push_back(choiceParameter<IslandFootprint>(
+      constriction.island_footprint,
+      {{"fill", IslandFootprint::kFillInsideOneRegion}, {"leave_out", IslandFootprint::kLeaveOut}},
+      {"regions.constriction.island_footprint", "",
+       "Whether the floor under such an island belongs to the region around it."}));
+}
+
+void addDude(Parameters& list, DudeDecomposerConfig& dude) {
+  list.push_back(numberParameter(
+      dude.depth_threshold_m, {0.05, 1000.0},
+      {"regions.dude.depth_threshold_m", "m",
+       "d_thr: a cut is made where an obstacle reaches at least this deep into free space.",
+       "1.5"}));
+  list.push_back(numberParameter(
+      dude.max_width_ratio, {0.01, 100.0},
+      {"regions.dude.max_width_ratio", "",
+       "Half a cut's length must be below this share of its smaller side's largest free circle."}));
+  list.push_back(
+      numberParameter(dude.longest_cut_m, {0.05, 1000.0},
+                      {"regions.dude.longest_cut_m", "m", "Wider openings are never cut."}));
+  list.push_back(numberParameter(dude.min_region_area_m2, {0.0, 1e6},
+                                 {"regions.dude.min_region_area_m2", "m2",
+                                  "Smaller regions join a neighbour or are dropped."}));
+  list.push_back(
+      numberParameter(dude.max_ignored_hole_m, {0.0, 1000.0},
+                      {"regions.dude.max_ignored_hole_m", "m",
+                       "Free-standing obstacles no wider than this are furniture.", "1.5"}));
+  list.push_back(numberParameter(dude.keep_bonus, {0.0, 10.0},
+                                 {"regions.dude.keep_bonus", "",
+                                  "Share by which a cut that stands already is preferred.", "0"}));
+  list.push_back(choiceParameter<GridCleaning>(
+      dude.cleaning, {{"none", GridCleaning::kNone}, {"published", GridCleaning::kPublished}},
+      {"regions.dude.cleaning", "",
+       "Whether the grid is filtered first as the published driver does, which moves walls.",
+       "published"}));
+  list.push_back(choiceParameter<ComponentChoice>(
+      dude.components, {{"all", ComponentChoice::kAll}, {"largest", ComponentChoice::kLargest}},
+      {"regions.dude.components", "", "Which connected parts of free space become regions.",
+       "largest"}));
+}
+
+void addTracking(Parameters& list, RegionTrackerConfig& tracker) {
+  AcceptanceGuardConfig& guard = tracker.guard;
+  list.push_back(numberParameter(
+      guard.max_area_drop, {0.0, 1.0},
+      {"regions.guard.max_area_drop", "", "Largest accepted drop of the total area.", "0.15"}));
+  list.push_back(numberParameter(guard.max_count_drop, {0.0, 1.0},
+                                 {"regions.guard.max_count_drop", "",
+                                  "Largest accepted drop of the number of regions.", "0.15"}));
+  list.push_back(
+      choiceParameter<bool>(guard.reject_on_count_alone, {{"true", true}, {"false", false}},
+                            {"regions.guard.reject_on_count_alone", "",
+                             "Whether the number of regions alone can reject an update.", "true"}));
+  list.push_back(
+      countParameter(guard.max_rejections_in_a_row, {0, 1000000},
+                     {"regions.guard.max_rejections_in_a_row", "updates",
+                      "After so many rejections the new state is accepted; 0: never.", "0"}));
+
+  list.push_back(numberParameter(tracker.min_overlap, {0.0, 1.0},
+                                 {"regions.tracker.min_overlap", "",
+                                  "A track's region must exceed this polygon IoU.", "0.2"}));
+  list.push_back(numberParameter(tracker.max_centroid_distance_m, {0.0, kLongest_m},
+                                 {"regions.tracker.max_centroid_distance_m", "m",
+                                  "Its centroid must be nearer than this.", "1.5"}));
+  list.push_back(numberParameter(
+      tracker.min_area_ratio, {0.0, 1.0},
+      {"regions.tracker.min_area_ratio", "", "New area over old, at least.", "0.25"}));
+  list.push_back(
+      numberParameter(tracker.max_area_ratio, {1.0, 1000.0},
+                      {"regions.tracker.max_area_ratio", "", "New area over old, at most.", "4"}));
+  list.push_back(countParameter(tracker.max_missed_updates, {0, 1000000},
+                                {"regions.tracker.max_missed_updates", "updates",
+                                 "A track survives so many updates without a region.", "3"}));
+}
+
+void addGraph(Parameters& list, GraphBuilderConfig& graph) {
+  list.push_back(numberParameter(
+      graph.maintenance_period_s, {0.01, 3600.0},
+      {"graph.maintenance_period_s", "s", "Time between two maintenances of the rooms.", "2"}));
+  list.push_back(numberParameter(graph.agents.min_distance_m, {0.0, kLongest_m},
+                                 {"graph.agents.min_distance_m", "m",
+                                  "A pose so far from the last agent becomes one.", "0.5"}));
+  list.push_back(numberParameter(
+      graph.agents.max_interval_s, {0.0, 86400.0},
+      {"graph.agents.max_interval_s", "s", "So does a pose so long after it.", "10"}));
+
+  RoomLayerConfig& rooms = graph.rooms;
+  list.push_back(numberParameter(rooms.boundary_tolerance_m, {0.0, 10.0},
+                                 {"graph.rooms.boundary_tolerance_m", "m",
+                                  "A room also holds what is this near to it.", "0.5"}));
+  list.push_back(numberParameter(rooms.floor_z_m, {-kLongest_m, kLongest_m},
+                                 {"graph.rooms.floor_z_m", "m", "Height of room nodes.", ""}));
+  list.push_back(numberParameter(
+      rooms.relink_min_overlap, {0.0, 1.0},
+      {"graph.rooms.relink_min_overlap", "", "Share of a room its successor must cover.", "0.65"}));
+  list.push_back(numberParameter(
+      rooms.relink_min_members, {0.0, 1.0},
+      {"graph.rooms.relink_min_members", "", "Share of the room's members it must hold.", "0.5"}));
+  list.push_back(numberParameter(rooms.relink_min_members_off_centre, {0.0, 1.0},
+                                 {"graph.rooms.relink_min_members_off_centre", "",
+                                  "The same when it does not hold the room's centroid.", "0.75"}));
+  list.push_back(numberParameter(
+      rooms.relink_min_margin, {0.0, 1.0},
+      {"graph.rooms.relink_min_margin", "", "Lead it must have over the second best.", "0.15"}));
+  list.push_back(choiceParameter<PromotionEvidence>(
+      rooms.promotion,
+      {{"any_entity", PromotionEvidence::kAnyEntity},
+       {"observed_area", PromotionEvidence::kObservedArea}},
+      {"graph.rooms.promotion", "", "What makes a room of a region nobody has entered.",
+       "any_entity"}));
+  list.push_back(numberParameter(rooms.min_promoted_area_m2, {0.0, 1e6},
+                                 {"graph.rooms.min_promoted_area_m2", "m2",
+                                  "observed_area: smallest region that becomes a room.", ""}));
+  list.push_back(numberParameter(rooms.min_promoted_age_s, {0.0, 86400.0},
+                                 {"graph.rooms.min_promoted_age_s", "s",
+                                  "observed_area: once it was known for so long.", ""}));
+  list.push_back(numberParameter(
+      rooms.removal_grace_s, {0.0, 86400.0},
+      {"graph.rooms.removal_grace_s", "s",
+       "A room stays so long after its region was last seen, and while the tracker remembers it.",
+       "0"}));
+}
+
+}  // namespace
+
+std::vector<Parameter> parametersOf(PipelineConfig& config) {
+  Parameters list;
+  addPerception(list, config.depth);
+  addMapping(list, config.occupancy, config.free_space);
+  addDecomposition(list, config);
+  addDude(list, config.dude);
+  addConstriction(list, config.constriction);
+  addTracking(list, config.tracker);
+  addGraph(list, config.graph);
+  return list;
+}
+
+std::unique_ptr<Decomposer> makeDecomposer(const PipelineConfig& config) {
+  switch (config.decomposer) {
+    case DecomposerKind::kDude:
+      return std::make_unique<DudeDecomposer>(config.dude);
+    case DecomposerKind::kConstriction:
+      return std::make_unique<ConstrictionDecomposer>(config.constriction);
+  }
+  throw refuse("regions.decomposer", "unknown kind", "see 'occusg config --print'");
+}
+
+PipelineConfig paperConfig() {
+  PipelineConfig config;
+  for (const Parameter& parameter : parametersOf(config)) {
+    if (parameter.paper.empty()) continue;
+    if (!parameter.assign(parameter.paper)) {
+      throw refuse(parameter.key, "the paper's value is '" + parameter.paper + "'",
+                   "allowed is " + parameter.allowed);
+    }
+  }
+  return config;
+}
+
+void check(const PipelineConfig& config) {
+  const auto ordered = [](const std::string& low_key, double low, const std::string& high_key,
+                          double high) {
+    if (low < high) return;
+    throw refuse(low_key, "it is " + shortestText(low),
+                 "it must be below " + high_key + " = " + shortestText(high));
+  };
+  ordered("perception.depth.min_depth_m", config.depth.min_depth_m, "perception.depth.max_depth_m",
+          config.depth.max_depth_m);
+  ordered("mapping.free_space.lowest_z_m", config.free_space.lowest_z_m,
+          "mapping.free_space.highest_z_m", config.free_space.highest_z_m);
+}
+
+}  // namespace occusg

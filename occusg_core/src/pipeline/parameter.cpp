@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/pipeline/parameter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <numeric>
+#include <optional>
+#include <sstream>
+
+namespace occusg {
+namespace {
+
+// Streams with the classic locale: a German desktop must not turn 0.05 into 0.
+template <typename T>
+std::optional<T> parsed(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  T value{};
+  if (!(stream >> value) || stream.peek() != std::istringstream::traits_type::eof()) return {};
+  return value;
+}
+
+std::optional<double> parsedNumber(std::string_view text) {
+  if (text == ".inf" || text == "+.inf") return std::numeric_limits<double>::infinity();
+  if (text == "-.inf") return -std::numeric_limits<double>::infinity();
+  return parsed<double>(text);
+}
+
+std::string rangeText(const std::string& min, const std::string& max) {
+  return "[" + min + ", " + max + "]";
+}
+
+template <typename T>
+Parameter rangedParameter(T& value, Range<T> range, ParameterText text) {
+  Parameter parameter{std::move(text.key),
+                      std::move(text.unit),
+                      rangeText(shortestText(range.min), shortestText(range.max)),
+                      std::move(text.description),
+                      std::move(text.paper),
+                      {},
+                      {}};
+  parameter.print = [&value] { return shortestText(value); };
+  parameter.assign = [&value, range](std::string_view written) {
+    std::optional<T> number;
+    if constexpr (std::is_same_v<T, double>) {
+      number = parsedNumber(written);
+    } else {
+      number = parsed<T>(written);
+    }
+    // Written so that NaN, which compares false with everything, is refused.
+    if (!number || !(*number >= range.min && *number <= range.max)) return false;
+    value = *number;
+    return true;
+  };
+  return parameter;
+}
+
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string shortestText(double value) {
+  if (std::isinf(value)) return value > 0 ? ".inf" : "-.inf";
+  if (value == 0.0) return "0";
+  for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    stream.precision(digits);
+    stream << value;
+    const bool needs_exponent = std::abs(value) >= 1e6 || std::abs(value) < 1e-4;
+    if (!needs_exponent && stream.str().find('e') != std::string::npos) continue;
+    if (parsed<double>(stream.str()) == value) return stream.str();
+  }
+  return ".nan";
+}
+
+Parameter numberParameter(double& value, Range<double> range, ParameterText text) {
+  return rangedParameter(value, range, std::move(text));
+}
+
+Parameter countParameter(int& value, Range<int> range, ParameterText text) {
+  return rangedParameter(value, range, std::move(text));
+}
+
+std::string nearestName(const std::string& name, const std::vector<std::string>& names) {
+  const auto nearest = std::min_element(
+      names.begin(), names.end(),
+      [&](const auto& a, const auto& b) { return editDistance(name, a) < editDistance(name, b); });
+  return nearest == names.end() ? std::string() : *nearest;
+}
+
+}  // namespace occusg
