@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/io/file_bytes.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
@@ -30,6 +31,19 @@ std::uintmax_t regularFileSize(const std::string& path) {
   return size;
 }
 
+std::string readBytes(const std::string& path, std::size_t count) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw refuse(path, "cannot be opened (" + reason(errno) + ")", "a readable file is needed");
+  std::string bytes(count, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(count));
+  if (file.bad())
+    throw refuse(path, "cannot be read (" + reason(errno) + ")", "a readable file is needed");
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
 }  // namespace
 
 std::string readFile(const std::string& path, std::size_t max_bytes) {
@@ -38,16 +52,12 @@ std::string readFile(const std::string& path, std::size_t max_bytes) {
     throw refuse(path, "is " + std::to_string(size) + " bytes long",
                  "at most " + std::to_string(max_bytes) + " bytes are read");
   }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw refuse(path, "cannot be opened (" + reason(errno) + ")", "a readable file is needed");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (file.bad())
-    throw refuse(path, "cannot be read (" + reason(errno) + ")", "a readable file is needed");
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
+  return readBytes(path, static_cast<std::size_t>(size));
+}
+
+std::string readBeginning(const std::string& path, std::size_t count) {
+  const std::uintmax_t size = regularFileSize(path);
+  return readBytes(path, static_cast<std::size_t>(std::min<std::uintmax_t>(size, count)));
 }
 
 }  // namespace occusg

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "occusg/error.hpp"
-#include "occusg/perception/camera_model.hpp"
 
 namespace occusg {
 namespace {
@@ -79,15 +78,17 @@ int channelsOf(unsigned char color_type) {
   }
 }
 
-PngHeader headerOf(const std::string& bytes, const Chunk& chunk, const std::string& where) {
+PngHeader headerOf(const std::string& bytes, const Chunk& chunk, const std::string& where,
+                   int max_side) {
   constexpr std::size_t kHeaderBytes = 13;
   if (chunk.type != "IHDR" || chunk.length != kHeaderBytes)
     throw refuse(where, "does not begin with an image header", kComplete);
   const std::uint32_t width = bigEndian(bytes, chunk.data);
   const std::uint32_t height = bigEndian(bytes, chunk.data + 4);
-  if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide) {
+  const auto limit = static_cast<std::uint32_t>(max_side);
+  if (width < 1 || height < 1 || width > limit || height > limit) {
     throw refuse(where, "is " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
-                 "sides from 1 to " + std::to_string(kMaxImageSide) + " are read");
+                 "sides from 1 to " + std::to_string(max_side) + " are read");
   }
   return {static_cast<int>(width), static_cast<int>(height),
           static_cast<unsigned char>(bytes[chunk.data + 8]),
@@ -96,11 +97,11 @@ PngHeader headerOf(const std::string& bytes, const Chunk& chunk, const std::stri
 
 }  // namespace
 
-PngHeader checkPng(const std::string& bytes, const std::string& where) {
+PngHeader checkPng(const std::string& bytes, const std::string& where, int max_side) {
   if (bytes.compare(0, kSignatureBytes, "\x89PNG\r\n\x1a\n", kSignatureBytes) != 0)
     throw refuse(where, bytes.empty() ? "is empty" : "is not a PNG", kComplete);
   Chunk chunk = chunkAt(bytes, kSignatureBytes, where);
-  const PngHeader header = headerOf(bytes, chunk, where);
+  const PngHeader header = headerOf(bytes, chunk, where, max_side);
   while (chunk.type != "IEND") chunk = chunkAt(bytes, chunk.data + chunk.length + 4, where);
   return header;
 }

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <optional>
+#include <utility>
 
 #include "error_sentence.hpp"
 #include "temporary_folder.hpp"
@@ -42,6 +44,25 @@ class FileSizeLimit {
  private:
   rlimit old_limit_{};
   void (*old_handler_)(int) = nullptr;
+};
+
+/// Root may write anywhere: for its lifetime, a process of root's acts as the user nobody.
+class AsOrdinaryUser {
+ public:
+  AsOrdinaryUser() : is_root_(::geteuid() == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (!is_root_) return;
+    EXPECT_EQ(::seteuid(kNobody), 0);
+  }
+  AsOrdinaryUser(const AsOrdinaryUser&) = delete;
+  AsOrdinaryUser& operator=(const AsOrdinaryUser&) = delete;
+  ~AsOrdinaryUser() {
+    if (!is_root_) return;
+    EXPECT_EQ(::seteuid(0), 0);
+  }
+
+ private:
+  bool is_root_;
 };
 
 TEST(OutputFolder, CreatesTheFolderAndItsParentsAndLeavesThemEmpty) {
@@ -108,12 +129,14 @@ TEST(OutputFolder, FolderThatCannotBeWrittenIsFoundOnOpening) {
 }
 
 TEST(OutputFolder, ReadOnlyFolderIsFoundOnOpening) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
   const TemporaryFolder folder;
   std::filesystem::permissions(
-      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec |
+                         std::filesystem::perms::others_read | std::filesystem::perms::others_exec);
+  std::optional<AsOrdinaryUser> ordinary_user(std::in_place);
   EXPECT_TRUE(tells(sentenceOf([&] { OutputFolder output(folder.path()); }),
                     {folder.path(), "Permission denied"}));
+  ordinary_user.reset();
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
