@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+
+#include <iostream>
+
+namespace occusg::apps {
+namespace po = boost::program_options;
+
+po::variables_map parse(const std::vector<std::string>& arguments, const CommandHelp& help,
+                        po::options_description options) {
+  options.add_options()("help,h", "show this text");
+  po::options_description all;
+  all.add(options);
+  po::positional_options_description positionals;
+  for (const std::string& name : help.positionals) {
+    all.add_options()(name.c_str(), po::value<std::string>());
+    positionals.add(name.c_str(), 1);
+  }
+
+  po::variables_map values;
+  try {
+    namespace style = po::command_line_style;
+    po::store(po::command_line_parser(arguments)
+                  .options(all)
+                  .positional(positionals)
+                  .style(style::unix_style & ~style::allow_guessing)
+                  .run(),
+              values);
+    if (values.count("help") > 0) {
+      std::cout << "Usage: " << help.synopsis << "\n\n" << help.description << "\n" << options;
+      return {};
+    }
+    po::notify(values);
+  } catch (const po::too_many_positional_options_error&) {
+    throw UsageError("too many arguments: the form is '" + help.synopsis + "'");
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+  for (const std::string& name : help.positionals) {
+    if (values.count(name) == 0)
+      throw UsageError(name + " is missing: the form is '" + help.synopsis + "'");
+  }
+  return values;
+}
+
+}  // namespace occusg::apps

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+#include "occusg/error.hpp"
+#include "occusg/pipeline/parameter.hpp"
+
+namespace occusg::apps {
+namespace {
+
+using Command = std::function<ExitCode(const std::vector<std::string>&)>;
+
+std::map<std::string, Command> commands() {
+  return {{"run", runCommand},
+          {"segment", segmentCommand},
+          {"eval", evalCommand},
+          {"config", configCommand}};
+}
+
+constexpr const char* kHelp =
+    R"(occusg: rooms and scene graphs from posed depth images, rooms from 2D maps
+
+Usage: occusg COMMAND [arguments]
+
+Commands:
+  run SEQUENCE -o OUT       take a recorded RGB-D sequence through the whole pipeline
+  segment MAP -o OUT        cut a finished 2D map into rooms
+  eval PREDICTED TRUTH      compare predicted rooms with annotated ones
+  config --print            write all parameters with units, ranges and the paper's values
+
+Each command explains itself: occusg COMMAND --help
+Exit codes: 0 fine, 1 the run failed, 2 wrong usage.
+
+Options:
+  -h, --help                show this text
+  --version                 show the version
+)";
+
+ExitCode dispatch(std::vector<std::string> arguments) {
+  if (arguments.empty()) throw UsageError("no command given");
+  const std::string name = arguments.front();
+  arguments.erase(arguments.begin());
+  if (name == "--version") {
+    std::cout << "occusg " << OCCUSG_VERSION << '\n';
+    return kFine;
+  }
+  if (name == "--help" || name == "-h" || name == "help") {
+    std::cout << kHelp;
+    return kFine;
+  }
+  const auto known = commands();
+  const auto command = known.find(name);
+  if (command != known.end()) return command->second(arguments);
+  std::vector<std::string> names;
+  names.reserve(known.size());
+  for (const auto& entry : known) names.push_back(entry.first);
+  throw UsageError("unknown command '" + name + "', did you mean '" + nearestName(name, names) +
+                   "'?");
+}
+
+int guarded(const std::vector<std::string>& arguments) {
+  try {
+    return dispatch(arguments);
+  } catch (const UsageError& error) {
+    std::cerr << "occusg: " << error.what() << " (see occusg --help)\n";
+    return kWrongUsage;
+  } catch (const Error& error) {
+    std::cerr << "occusg: " << error.what() << '\n';
+  } catch (const std::exception& error) {
+    std::cerr << "occusg: unexpected failure: " << error.what() << '\n';
+  }
+  return kFailed;
+}
+
+}  // namespace
+}  // namespace occusg::apps
+
+int main(int argc, char** argv) {
+  return occusg::apps::guarded(std::vector<std::string>(argv + 1, argv + argc));
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+#include "interrupt.hpp"
+#include "occusg/error.hpp"
+#include "occusg/io/output_folder.hpp"
+#include "occusg/io/sequence_reader.hpp"
+#include "occusg/pipeline/config_file.hpp"
+#include "occusg/pipeline/results.hpp"
+#include "progress_bar.hpp"
+#include "room_table.hpp"
+
+namespace occusg::apps {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr std::size_t kShownBadFrames = 5;
+
+enum class BadFrames { kSkip, kFail };
+
+struct RunOutcome {
+  std::size_t frames_read = 0;
+  std::vector<std::string> bad_frames;  ///< One sentence each.
+  bool interrupted = false;
+};
+
+CommandHelp help() {
+  return {
+      "occusg run SEQUENCE -o OUT [options]",
+      "Takes a recorded RGB-D sequence through the whole pipeline and writes what it found.\n\n"
+      "SEQUENCE is a folder in the TUM RGB-D layout: depth.txt, groundtruth.txt (timestamp tx ty\n"
+      "tz qx qy qz qw, camera optical frame in the world), 16-bit depth PNGs, and camera.json "
+      "with\n"
+      "width, height, fx, fy, cx, cy, depth_scale.\n\n"
+      "OUT receives rooms.json, scene_graph.json, scene_graph.dsg.json, rooms.geojson,\n"
+      "free_space.pgm and .yaml, overview.png and timing.json. A frame that cannot be used is\n"
+      "skipped and reported; more than half of them fail the run. Ctrl-C ends the run early and\n"
+      "still writes everything.\n\n"
+      "  occusg run examples/apartment -o out/apartment\n"
+      "  occusg run recording -o out/recording --config paper\n",
+      {"SEQUENCE"}};
+}
+
+po::options_description options() {
+  po::options_description options("Options");
+  options.add_options()("output,o", po::value<std::string>()->required(),
+                        "folder for the results; created when missing")(
+      "config", po::value<std::string>()->default_value("default"),
+      "'default', 'paper' or a YAML file (see 'occusg config --print')")(
+      "decomposer", po::value<std::string>(), "overrides regions.decomposer")(
+      "strict", "fail on the first frame that cannot be used");
+  return options;
+}
+
+PipelineConfig configFrom(const po::variables_map& values) {
+  const PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  if (values.count("decomposer") == 0) return config;
+  return configFromYaml("regions.decomposer: " + values["decomposer"].as<std::string>() + "\n",
+                        "--decomposer", config);
+}
+
+RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFrames bad_frames) {
+  RunOutcome outcome;
+  ProgressBar progress(sequence.scene(), sequence.size());
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    outcome.interrupted = interrupted();
+    if (outcome.interrupted) break;
+    ++outcome.frames_read;
+    try {
+      pipeline.process(sequence.read(i));
+    } catch (const Error& error) {
+      if (bad_frames == BadFrames::kFail) throw;
+      outcome.bad_frames.emplace_back(error.what());
+    }
+    progress.update(i + 1);
+  }
+  pipeline.finish();
+  return outcome;
+}
+
+void failWhenMostFramesAreBad(const RunOutcome& outcome, const std::string& scene) {
+  if (2 * outcome.bad_frames.size() <= outcome.frames_read) return;
+  throw refuse(scene,
+               std::to_string(outcome.bad_frames.size()) + " of " +
+                   std::to_string(outcome.frames_read) +
+                   " frames cannot be used, the first because " + outcome.bad_frames.front(),
+               "at least half must be usable");
+}
+
+void printCounts(const PipelineCounts& counts) {
+  const PixelDrops& drops = counts.pixel_drops;
+  std::cout << "\n  " << counts.frames << " frames, " << counts.points
+            << " points; pixels dropped: " << drops.zero << " without return, " << drops.too_near
+            << " too near, " << drops.too_far << " too far, "
+            << drops.nan + drops.infinite + drops.negative << " not a depth\n  "
+            << counts.region_updates << " region updates, " << counts.rejected_region_updates
+            << " rejected\n";
+  if (counts.points_outside_map > 0)
+    std::cout << "  " << counts.points_outside_map << " points outside the map's reach, ignored\n";
+  if (counts.frames_outside_map > 0)
+    std::cout << "  " << counts.frames_outside_map << " frames from outside the map, ignored\n";
+}
+
+void reportBadInput(const SequenceReader& sequence, const RunOutcome& outcome) {
+  for (const std::string& line : sequence.unusableLines())
+    std::cerr << "occusg: skipped: " << line << '\n';
+  if (outcome.bad_frames.empty()) return;
+  std::cerr << "occusg: skipped " << outcome.bad_frames.size() << " of " << outcome.frames_read
+            << " frames\n";
+  for (std::size_t i = 0; i < std::min(kShownBadFrames, outcome.bad_frames.size()); ++i)
+    std::cerr << "  " << outcome.bad_frames[i] << '\n';
+  if (outcome.bad_frames.size() > kShownBadFrames)
+    std::cerr << "  ... and " << outcome.bad_frames.size() - kShownBadFrames << " more\n";
+}
+
+}  // namespace
+
+ExitCode runCommand(const std::vector<std::string>& arguments) {
+  const po::variables_map values = parse(arguments, help(), options());
+  if (helpWasPrinted(values)) return kFine;
+
+  const PipelineConfig config = configFrom(values);
+  const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
+  const OutputFolder folder(values["output"].as<std::string>());
+  Pipeline pipeline(config);
+  catchInterrupts();
+  const RunOutcome outcome = processAll(
+      sequence, pipeline, values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip);
+  failWhenMostFramesAreBad(outcome, sequence.scene());
+
+  StageTimes times = pipeline.times();
+  setPeakMemory(times);
+  for (const ResultFile& file : resultFiles(pipeline, sequence.scene(), times))
+    folder.write(file.name, file.bytes);
+
+  printRooms(roomsOf(pipeline, sequence.scene()));
+  printTimes(times);
+  printCounts(pipeline.counts());
+  reportBadInput(sequence, outcome);
+  std::cout << "\nResults are in " << folder.path() << '\n';
+  if (!outcome.interrupted) return kFine;
+  std::cerr << "occusg: interrupted after " << outcome.frames_read << " of " << sequence.size()
+            << " frames; the results hold what was found until then\n";
+  return kFailed;
+}
+
+}  // namespace occusg::apps

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdint>
+#include <iostream>
+#include <locale>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+#include "occusg/error.hpp"
+#include "occusg/io/decomposition_drawing.hpp"
+#include "occusg/io/label_picture.hpp"
+#include "occusg/io/map_reader.hpp"
+#include "occusg/io/output_folder.hpp"
+#include "occusg/io/overview_picture.hpp"
+#include "occusg/pipeline/config_file.hpp"
+#include "occusg/pipeline/results.hpp"
+#include "output_file.hpp"
+#include "room_table.hpp"
+
+namespace occusg::apps {
+namespace {
+
+namespace po = boost::program_options;
+
+CommandHelp help() {
+  return {"occusg segment MAP -o OUT [options]",
+          "Cuts a finished 2D map into rooms.\n\n"
+          "MAP is a map_server YAML file, or an 8-bit grey PGM or PNG alone, which takes "
+          "--resolution;\n"
+          "its lower left corner is then (0, 0), x right, y up. A pixel v is occupied with "
+          "probability\n"
+          "(255 - v) / 255; free are cells below the free threshold, the rest bounds rooms. The\n"
+          "options go before what the YAML says.\n\n"
+          "OUT receives rooms.json, labels.png (room ids, 16 bit, of the map's size), overview.png "
+          "and\n"
+          "timing.json.\n\n"
+          "  occusg segment map.yaml -o out/map\n"
+          "  occusg segment plan.png -o out/plan --resolution 0.05 --d-thr 1.5\n",
+          {"MAP"}};
+}
+
+po::options_description options() {
+  po::options_description options("Options");
+  options.add_options()("output,o", po::value<std::string>()->required(),
+                        "folder for the results; created when missing")(
+      "config", po::value<std::string>()->default_value("default"),
+      "'default', 'paper' or a YAML file (see 'occusg config --print')")(
+      "decomposer", po::value<std::string>(), "overrides regions.decomposer")(
+      "d-thr", po::value<std::string>(),
+      "overrides regions.dude.depth_threshold_m [m]; the decomposer is then dude")(
+      "resolution", po::value<double>(), "edge of a pixel [m]")(
+      "origin", po::value<std::string>(), "X,Y: lower left corner of the picture [m]")(
+      "occupied-thresh", po::value<double>(),
+      "occupied above this probability (without YAML: 0.65)")(
+      "free-thresh", po::value<double>(), "free below this probability (without YAML: 0.196)")(
+      "negate", "dark pixels are free")("mode", po::value<std::string>(),
+                                        "trinary, scale or raw (without YAML: trinary)")(
+      "max-cells", po::value<std::size_t>()->default_value(kDefaultMaxMapCells),
+      "larger maps are refused")("debug-drawing", po::value<std::string>(),
+                                 "PNG that shows how dude, then the decomposer, found its cuts");
+  return options;
+}
+
+MapMode modeNamed(const std::string& name) {
+  if (name == "trinary") return MapMode::kTrinary;
+  if (name == "scale") return MapMode::kScale;
+  if (name == "raw") return MapMode::kRaw;
+  throw UsageError("--mode is '" + name + "'; allowed is trinary, scale or raw");
+}
+
+Point2 pointIn(const std::string& text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  Point2 point;
+  char comma = ' ';
+  if (!(stream >> point.x >> comma >> point.y) || comma != ',' ||
+      stream.peek() != std::istringstream::traits_type::eof())
+    throw UsageError("--origin is '" + text + "'; allowed is X,Y in metres");
+  return point;
+}
+
+template <typename T>
+std::optional<T> given(const po::variables_map& values, const std::string& name) {
+  if (values.count(name) == 0) return std::nullopt;
+  return values[name].as<T>();
+}
+
+MapReaderOptions readerOptionsFrom(const po::variables_map& values) {
+  MapReaderOptions options;
+  options.resolution_m = given<double>(values, "resolution");
+  options.occupied_threshold = given<double>(values, "occupied-thresh");
+  options.free_threshold = given<double>(values, "free-thresh");
+  options.max_cells = values["max-cells"].as<std::size_t>();
+  if (values.count("negate") > 0) options.polarity = MapPolarity::kDarkIsFree;
+  if (const auto mode = given<std::string>(values, "mode")) options.mode = modeNamed(*mode);
+  if (const auto origin = given<std::string>(values, "origin")) options.origin = pointIn(*origin);
+  return options;
+}
+
+PipelineConfig configFrom(const po::variables_map& values) {
+  PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  const auto override = [&](const std::string& option, const std::string& key) {
+    const auto text = given<std::string>(values, option);
+    if (text) config = configFromYaml(key + ": " + *text + "\n", "--" + option, config);
+  };
+  const bool wants_dude = values.count("d-thr") + values.count("debug-drawing") > 0;
+  if (wants_dude) config.decomposer = DecomposerKind::kDude;
+  override("decomposer", "regions.decomposer");
+  override("d-thr", "regions.dude.depth_threshold_m");
+  if (config.decomposer == DecomposerKind::kDude) return config;
+  for (const std::string option : {"d-thr", "debug-drawing"}) {
+    if (values.count(option) > 0) {
+      throw refuse("--" + option, "means something to the dude decomposer only",
+                   "leave '--decomposer' out or make it dude");
+    }
+  }
+  return config;
+}
+
+RoomsFile roomsOf(const Decomposition& decomposition, const GridMap& map) {
+  RoomsFile rooms;
+  rooms.scene = map.name;
+  for (const Region& region : decomposition.regions) {
+    rooms.rooms.push_back(
+        {region.id, "unknown", translated(region.polygon, map.offset.x, map.offset.y)});
+  }
+  const auto moved = [&](const Point2& point) {
+    return Point2{point.x + map.offset.x, point.y + map.offset.y};
+  };
+  for (const Crossing& crossing : decomposition.crossings) {
+    rooms.doors.push_back({crossing.region_a,
+                           crossing.region_b,
+                           {moved(crossing.segment.a), moved(crossing.segment.b)}});
+  }
+  return rooms;
+}
+
+std::string overviewPng(const GridMap& map, const Decomposition& decomposition) {
+  GridMap unmoved = map;
+  unmoved.offset = {};
+  const RoomsFile rooms = roomsOf(decomposition, unmoved);
+  return encodePng(drawOverview(map.free_space, {map.name, rooms.rooms, rooms.doors, {}}));
+}
+
+std::string drawingPng(const Decomposer& decomposer, const Decomposition& decomposition,
+                       const GridMap& map, const PipelineConfig& config) {
+  const auto& dude = dynamic_cast<const DudeDecomposer&>(decomposer);
+  return encodePng(drawDecomposition(map.free_space, decomposition, dude.trace(),
+                                     config.dude.depth_threshold_m, map.name));
+}
+
+}  // namespace
+
+ExitCode segmentCommand(const std::vector<std::string>& arguments) {
+  const po::variables_map values = parse(arguments, help(), options());
+  if (helpWasPrinted(values)) return kFine;
+
+  const PipelineConfig config = configFrom(values);
+  const std::unique_ptr<Decomposer> decomposer = makeDecomposer(config);
+  StageTimes times;
+  const GridMap map = readMap(values["MAP"].as<std::string>(), readerOptionsFrom(values));
+  const OutputFolder folder(values["output"].as<std::string>());
+  std::optional<OutputFile> drawing;
+  if (const auto path = given<std::string>(values, "debug-drawing")) drawing.emplace(*path);
+
+  const Decomposition* found = nullptr;
+  const RoomsFile rooms = timed(times, Stage::kTotal, [&] {
+    found = &timed(times, Stage::kDecomposition,
+                   [&]() -> const Decomposition& { return decomposer->update(map.free_space); });
+    return roomsOf(*found, map);
+  });
+  const Decomposition& decomposition = *found;
+  times.setMemory(Stage::kFreeSpace, map.free_space.cells.values().size());
+  times.setMemory(Stage::kDecomposition,
+                  decomposition.labels.values().size() * sizeof(std::int32_t));
+  setPeakMemory(times);
+
+  const std::vector<ResultFile> files = {
+      {"rooms.json", toJson(rooms)},
+      {"labels.png", labelPng(decomposition.labels, map.free_space.cells.box())},
+      {"overview.png", overviewPng(map, decomposition)},
+      {"timing.json", timingJson(times)}};
+  for (const ResultFile& file : files) folder.write(file.name, file.bytes);
+  if (drawing) drawing->write(drawingPng(*decomposer, decomposition, map, config));
+
+  printRooms(rooms);
+  printTimes(times);
+  std::cout << "\nResults are in " << folder.path() << '\n';
+  return kFine;
+}
+
+}  // namespace occusg::apps

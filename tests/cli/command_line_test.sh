@@ -1,0 +1,126 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# The command line as a user meets it: exit codes, sentences, files.
+# Usage: command_line_test.sh OCCUSG RECORDING WORK_FOLDER
+set -uo pipefail
+occusg=$1
+recording=$2
+work=$3
+failures=0
+
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work" || exit 1
+
+fail() {
+  echo "FAILED: $1"
+  sed 's/^/    /' out.txt err.txt
+  failures=$((failures + 1))
+}
+
+# expect NAME EXIT_CODE ERROR_TEXT ARGUMENTS...: ERROR_TEXT must be in standard error ('' = nothing there).
+expect() {
+  local name=$1 code=$2 text=$3
+  shift 3
+  "$occusg" "$@" > out.txt 2> err.txt < /dev/null
+  local got=$?
+  [ $got -eq "$code" ] || { fail "$name: exit code $got instead of $code"; return; }
+  if [ -z "$text" ]; then
+    [ ! -s err.txt ] || fail "$name: unexpected words on standard error"
+  else
+    grep -qF -- "$text" err.txt || fail "$name: standard error lacks '$text'"
+  fi
+}
+
+# short_recording NAME FRAMES: the first frames of the recording, its images shared.
+short_recording() {
+  mkdir -p "$1"
+  cp "$recording"/camera.json "$recording"/groundtruth.txt "$1"
+  head -n $(($2 + 1)) "$recording/depth.txt" > "$1/depth.txt"
+  ln -s "$recording/depth" "$1/depth"
+}
+short_recording short 24
+
+# --- Help and usage
+expect "help" 0 "" --help
+for command in run segment eval config; do
+  expect "$command --help" 0 "" $command --help
+  grep -q "Usage: occusg $command" out.txt || fail "$command --help does not show its form"
+done
+expect "version" 0 "" --version
+grep -qE '^occusg [0-9]+\.[0-9]+\.[0-9]+$' out.txt || fail "version"
+expect "no command" 2 "no command given"
+expect "misspelt command" 2 "did you mean 'eval'" evl
+expect "run without a sequence" 2 "SEQUENCE is missing" run -o out
+expect "run without an output" 2 "--output" run short
+expect "unknown option" 2 "--fast" run short -o out --fast
+expect "too many arguments" 2 "too many arguments" run short short -o out
+expect "config without --print" 2 "--print" config
+expect "unknown alignment" 2 "centroid" eval short short --align sideways
+
+# --- Configuration
+expect "config --print" 0 "" config --print
+cp out.txt printed.yaml
+expect "printed configuration is accepted" 0 "" config --print --config printed.yaml
+cmp -s out.txt printed.yaml || fail "a printed configuration does not read back unchanged"
+printf 'perception:\n  depth:\n    strid: 3\n' > typo.yaml
+expect "unknown key" 1 "typo.yaml:3: unknown key 'perception.depth.strid'; did you mean 'perception.depth.stride'" \
+  run short -o out --config typo.yaml
+expect "unknown decomposer" 1 "allowed is" run short -o out --decomposer magic
+[ ! -e out ] || fail "an output folder was made although the configuration was wrong"
+
+# --- A good run, twice: all files, identical results
+expect "run" 0 "" run short -o one
+expect "run again" 0 "" run short -o two
+for file in rooms.json scene_graph.json scene_graph.dsg.json rooms.geojson free_space.pgm free_space.yaml \
+  overview.png timing.json; do
+  [ -s "one/$file" ] || fail "$file is missing or empty"
+  [ $file = timing.json ] || cmp -s "one/$file" "two/$file" || fail "$file differs between two runs"
+done
+[ "$(ls one | wc -l)" -eq 8 ] || fail "files left over in the output folder"
+expect "eval" 0 "" eval one/rooms.json "$recording/rooms.json" --json metrics.json
+[ -s metrics.json ] || fail "eval --json wrote nothing"
+expect "eval of a missing file" 1 "nowhere.json" eval nowhere.json one/rooms.json
+
+# --- Bad input: one sentence that names the file
+expect "missing sequence" 1 "nowhere" run nowhere -o out
+short_recording no_poses 4 && rm no_poses/groundtruth.txt
+expect "missing poses" 1 "no_poses/groundtruth.txt" run no_poses -o out
+short_recording flat 4 && sed -i 's/"fx": [0-9.]*/"fx": 0/' flat/camera.json
+expect "zero focal length" 1 "flat/camera.json" run flat -o out
+short_recording empty 0
+expect "empty sequence" 1 "empty/depth.txt" run empty -o out
+[ ! -e out ] || fail "an output folder was made for a sequence that cannot be read"
+touch a_file
+expect "output that is a file" 1 "a_file" run short -o a_file
+expect "output below a file" 1 "a_file" run short -o a_file/below
+
+# --- Bad frames: skipped and counted, fatal when asked for or when they are most
+short_recording spoilt 12
+sed -i '5s/.*/not-a-time depth\/000003.png/' spoilt/depth.txt
+expect "one bad frame" 0 "skipped 1 of 12 frames" run spoilt -o spoilt_out
+grep -qF "spoilt/depth.txt:5" err.txt || fail "the bad line is not named"
+expect "one bad frame, strict" 1 "spoilt/depth.txt:5" run spoilt -o strict_out --strict
+short_recording hopeless 12
+sed -i '3,10s/ depth/ nowhere/' hopeless/depth.txt
+expect "most frames bad" 1 "8 of 12 frames" run hopeless -o hopeless_out
+[ -z "$(ls hopeless_out 2> /dev/null)" ] || fail "a failed run wrote results"
+
+# --- Ctrl-C: ends the run, writes what is there, says so
+"$occusg" run "$recording" -o cut > out.txt 2> err.txt < /dev/null &
+pid=$!
+while kill -0 $pid 2> /dev/null && ! grep -q SigCgt /proc/$pid/status 2> /dev/null; do :; done
+# Wait until the handler of signal 2 is in place, not for a time.
+while kill -0 $pid 2> /dev/null &&
+  [ $((0x$(sed -n 's/^SigCgt:[[:space:]]*//p' /proc/$pid/status 2> /dev/null || echo 2) & 2)) -eq 0 ]; do :; done
+kill -INT $pid
+wait $pid
+[ $? -eq 1 ] || fail "Ctrl-C: exit code"
+grep -qF "interrupted after" err.txt || fail "Ctrl-C: it does not say so"
+[ -s cut/rooms.json ] || fail "Ctrl-C: what was found is not written"
+
+if [ $failures -gt 0 ]; then
+  echo "$failures failures"
+  exit 1
+fi
+echo "all as expected"

@@ -1,0 +1,149 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# 'occusg segment' as a user meets it: exit codes, sentences, files.
+# Usage: segment_test.sh OCCUSG WORK_FOLDER
+set -uo pipefail
+occusg=$1
+work=$2
+failures=0
+
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work" || exit 1
+
+fail() {
+  echo "FAILED: $1"
+  sed 's/^/    /' out.txt err.txt
+  failures=$((failures + 1))
+}
+
+# expect NAME EXIT_CODE ERROR_TEXT ARGUMENTS...: ERROR_TEXT must be in standard error ('' = nothing there).
+expect() {
+  local name=$1 code=$2 text=$3
+  shift 3
+  "$occusg" "$@" > out.txt 2> err.txt < /dev/null
+  local got=$?
+  [ $got -eq "$code" ] || { fail "$name: exit code $got instead of $code"; return; }
+  if [ -z "$text" ]; then
+    [ ! -s err.txt ] || fail "$name: unexpected words on standard error"
+  else
+    grep -qF -- "$text" err.txt || fail "$name: standard error lacks '$text'"
+    [ "$(wc -l < err.txt)" -eq 1 ] || fail "$name: more than one sentence"
+  fi
+}
+
+# refused NAME ERROR_TEXT ARGUMENTS...: exit code 1, one sentence, nothing written.
+refused() {
+  local name=$1 text=$2
+  shift 2
+  expect "$name" 1 "$text" segment "$@" -o out
+  [ ! -e out ] || { fail "$name: an output folder was made"; rm -rf out; }
+}
+
+# repeat COUNT BYTE: COUNT bytes of the octal value BYTE.
+repeat() { head -c "$1" /dev/zero | tr '\0' "\\$2"; }
+
+# Width and height of a PNG as its header says.
+png_size() { od -An -tu1 -j16 -N8 "$1" | awk '{print ($3 * 256 + $4) "x" ($7 * 256 + $8)}'; }
+
+# A map of 190 x 90 cells at 0.05 m: two rooms of 4 m x 4 m with a door of 0.8 m near a corner.
+row_of_rooms() { repeat 5 0; repeat 80 376; repeat "$1" "$2"; repeat 80 376; repeat $((25 - $1)) 0; }
+write_map() {
+  printf 'P5\n# two rooms\n190 90\n255\n'
+  repeat $((5 * 190)) 0
+  for ((y = 0; y < 80; y++)); do
+    if ((y >= 56 && y < 72)); then row_of_rooms 4 376; else row_of_rooms 4 0; fi
+  done
+  repeat $((5 * 190)) 0
+}
+write_map > map.pgm
+yaml() {
+  printf 'image: %s\nresolution: %s\norigin: [-1.0, 2.0, %s]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n' \
+    "$1" "$2" "$3"
+}
+yaml map.pgm 0.05 0.0 > map.yaml
+
+# --- Help and usage
+expect "help" 0 "" segment --help
+grep -q "Usage: occusg segment" out.txt || fail "help does not show its form"
+expect "segment without a map" 2 "MAP is missing" segment -o out
+expect "segment without an output" 2 "--output" segment map.yaml
+expect "unknown mode" 2 "trinary, scale or raw" segment map.yaml -o out --mode grey
+expect "broken origin" 2 "X,Y" segment map.yaml -o out --origin "1;2"
+
+# --- Good runs: every decomposer, YAML and bare picture, twice the same
+for decomposer in dude constriction; do
+  expect "$decomposer" 0 "" segment map.yaml -o one_$decomposer --decomposer $decomposer
+  expect "$decomposer again" 0 "" segment map.yaml -o two_$decomposer --decomposer $decomposer
+  for file in rooms.json labels.png overview.png timing.json; do
+    [ -s "one_$decomposer/$file" ] || fail "$decomposer: $file is missing or empty"
+    [ $file = timing.json ] || cmp -s "one_$decomposer/$file" "two_$decomposer/$file" ||
+      fail "$decomposer: $file differs between two runs"
+  done
+  [ "$(ls one_$decomposer | wc -l)" -eq 4 ] || fail "$decomposer: files left over"
+  [ "$(png_size one_$decomposer/labels.png)" = 190x90 ] || fail "$decomposer: labels.png has another size"
+  [ "$(grep -c '"id":' one_$decomposer/rooms.json)" -eq 2 ] || fail "$decomposer: not two rooms"
+  grep -qF '"rooms":[1,2]' one_$decomposer/rooms.json || fail "$decomposer: no door between the rooms"
+  grep -qF '[-0.75,2.25]' one_$decomposer/rooms.json || fail "$decomposer: the origin is not honoured"
+  grep -q '"decomposition": {"count": 1' one_$decomposer/timing.json || fail "$decomposer: timing.json"
+done
+expect "bare picture" 0 "" segment map.pgm -o bare --resolution 0.05
+grep -qF '[0.25,0.25]' bare/rooms.json || fail "a bare picture does not begin at (0, 0)"
+expect "origin" 0 "" segment map.pgm -o moved --resolution 0.05 --origin 0.01,0
+grep -qF '[0.26,0.25]' moved/rooms.json || fail "an origin between cells is not honoured"
+expect "labels are evaluated as the rooms" 0 "" eval bare/labels.png bare/rooms.json --resolution 0.05
+grep -qE '0.75 +1.000 +1.000 +1.000 +1.000' out.txt || fail "labels.png and rooms.json differ"
+expect "drawing" 0 "" segment map.yaml -o drawn --decomposer dude --d-thr 1.5 --debug-drawing steps.png
+[ -s steps.png ] || fail "no drawing"
+expect "deep threshold" 0 "" segment map.yaml -o deep --d-thr 30
+[ "$(grep -c '"id":' deep/rooms.json)" -eq 1 ] || fail "--d-thr changes nothing"
+
+# --- Options that do not fit
+refused "threshold of another decomposer" "dude" map.yaml --decomposer constriction --d-thr 2
+refused "drawing of another decomposer" "dude" map.yaml --decomposer constriction --debug-drawing a.png
+[ ! -e a.png ] || fail "a drawing was written"
+refused "unknown decomposer" "allowed is" map.yaml --decomposer magic
+refused "negative threshold" "--d-thr" map.yaml --decomposer dude --d-thr -1
+refused "thresholds the wrong way round" "free_thresh < occupied_thresh" map.yaml --free-thresh 0.7
+refused "threshold out of range" "occupied_thresh <= 1" map.yaml --occupied-thresh 1.5
+refused "no scale" "--resolution" map.pgm
+refused "zero resolution" "resolution of 0" map.pgm --resolution 0
+refused "negative resolution" "resolution of -0.05" map.pgm --resolution=-0.05
+refused "resolution that is no number" "resolution of nan" map.pgm --resolution nan
+refused "more cells than allowed" "--max-cells" map.yaml --max-cells 1000
+expect "labels without a scale" 1 "--resolution" eval bare/labels.png bare/rooms.json
+
+# --- Bad maps
+refused "missing map" "nowhere.yaml" nowhere.yaml
+yaml gone.pgm 0.05 0 > no_picture.yaml
+refused "missing picture" "gone.pgm: does not exist" no_picture.yaml
+yaml map.pgm -1 0 > negative.yaml
+refused "negative resolution in YAML" "negative.yaml" negative.yaml
+yaml map.pgm .nan 0 > nan.yaml
+refused "NaN in YAML" "nan.yaml:2: resolution is '.nan'" nan.yaml
+yaml map.pgm 0.05 0.5 > turned.yaml
+refused "turned map" "rotate" turned.yaml
+grep -v free_thresh map.yaml > no_threshold.yaml
+refused "unknown thresholds" "has no free_thresh" no_threshold.yaml
+sed 's/free_thresh: .*/free_thresh: low/' map.yaml > word.yaml
+refused "threshold that is no number" "word.yaml:6: free_thresh is 'low'" word.yaml
+printf 'P5 65000 65000 255\n' > huge.pgm
+refused "huge PGM" "65000 x 65000 = 4225000000 cells; at most 100000000 are read (--max-cells" huge.pgm --resolution 0.05
+printf '\211PNG\r\n\032\n\0\0\0\015IHDR\0\0\375\350\0\0\375\350\010\0\0\0\0' > huge.png
+refused "huge PNG" "65000 x 65000" huge.png --resolution 0.05
+refused "colour picture" "overview.png: is a colour picture" bare/overview.png --resolution 0.05
+refused "16-bit picture" "labels.png: is a 16-bit picture" bare/labels.png --resolution 0.05
+{ printf 'P5 4 4 255\n'; repeat 16 0; } > full.pgm
+refused "no free cell" "full.pgm: has no free cell" full.pgm --resolution 0.05
+{ printf 'P5 4 4 255\n'; repeat 9 376; } > short.pgm
+refused "truncated picture" "short.pgm: ends before its last pixel" short.pgm --resolution 0.05
+printf 'hello' > hello.png
+refused "no picture" "neither a PGM nor a PNG" hello.png --resolution 0.05
+touch a_file
+expect "output that is a file" 1 "a_file" segment map.yaml -o a_file
+
+if [ $failures -gt 0 ]; then
+  echo "$failures failures"
+  exit 1
+fi
+echo "all as expected"
