@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cost of the dual-space decomposition: over the maps of OCCUSG_MAPS2D_DIR, and over generated
+// floors against their size. Each room of a generated floor has a pillar and doors to all its
+// neighbours.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "occusg/regions/dude_decomposer.hpp"
+
+#ifndef OCCUSG_MAPS2D_DIR
+#define OCCUSG_MAPS2D_DIR ""
+#endif
+
+namespace occusg {
+namespace {
+
+constexpr double kResolution_m = 0.1;
+constexpr double kMapResolution_m = 0.05;
+constexpr int kBrightestObstacle = 250;
+constexpr int kPitch_cells = 32;  ///< A room of 3 m and its walls.
+constexpr int kWall_cells = 2;
+constexpr Cell kPillar{20, 20};
+constexpr int kPillar_cells = 4;
+constexpr int kDoorAt_cells = 8;
+constexpr int kDoor_cells = 9;
+
+void set(FreeSpace& layer, const CellBox& box, std::int8_t value) {
+  for (int y = box.min.y; y < box.max.y; ++y)
+    for (int x = box.min.x; x < box.max.x; ++x) layer.cells.at({x, y}) = value;
+}
+
+CellBox rectangle(int x, int y, int width, int height) { return {{x, y}, {x + width, y + height}}; }
+
+/// `rooms` rooms in rows of equal length.
+FreeSpace generatedFloor(int rooms) {
+  const int across = static_cast<int>(std::ceil(std::sqrt(rooms)));
+  const int rows = (rooms + across - 1) / across;
+  const CellBox box{{0, 0},
+                    {across * kPitch_cells + kWall_cells, rows * kPitch_cells + kWall_cells}};
+  FreeSpace layer{GridFrame{kResolution_m}, Grid<std::int8_t>(box, kFullObstacle), box};
+  const int size = kPitch_cells - kWall_cells;
+  for (int room = 0; room < rooms; ++room) {
+    const int x = room % across * kPitch_cells + kWall_cells;
+    const int y = room / across * kPitch_cells + kWall_cells;
+    set(layer, rectangle(x, y, size, size), kFree);
+    set(layer, rectangle(x + kPillar.x, y + kPillar.y, kPillar_cells, kPillar_cells),
+        kFullObstacle);
+    if (room % across > 0)
+      set(layer, rectangle(x - kWall_cells, y + kDoorAt_cells, kWall_cells, kDoor_cells), kFree);
+    if (room >= across)
+      set(layer, rectangle(x + kDoorAt_cells, y - kWall_cells, kDoor_cells, kWall_cells), kFree);
+  }
+  return layer;
+}
+
+/// Pillars stay holes, so that the number of holes is that of the rooms.
+DudeDecomposerConfig withPillars() {
+  DudeDecomposerConfig config;
+  config.depth_threshold_m = 1.5;
+  config.max_ignored_hole_m = 0.0;
+  return config;
+}
+
+void report(benchmark::State& state, const DudeDecomposer& decomposer, std::size_t regions) {
+  const auto updates = static_cast<double>(std::max<std::size_t>(1, decomposer.counters().updates));
+  state.counters["corners"] = static_cast<double>(decomposer.counters().corners) / updates;
+  state.counters["regions"] = static_cast<double>(regions);
+}
+
+void batchOfRooms(benchmark::State& state) {
+  const FreeSpace layer = generatedFloor(static_cast<int>(state.range(0)));
+  DudeDecomposer decomposer(withPillars());
+  std::size_t regions = 0;
+  for (auto _ : state) {
+    decomposer.reset();
+    regions = decomposer.update(layer).regions.size();
+  }
+  report(state, decomposer, regions);
+}
+// 100 rooms: 2 000 corners and 100 holes; 1 000 rooms: 20 000 corners.
+BENCHMARK(batchOfRooms)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+/// A box in a door comes and goes: the two rooms beside it are divided again.
+void incrementalInRooms(benchmark::State& state) {
+  FreeSpace layer = generatedFloor(static_cast<int>(state.range(0)));
+  DudeDecomposer decomposer(withPillars());
+  (void)decomposer.update(layer);
+  const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(state.range(0)))));
+  const int room = across / 2;
+  const int x = room * kPitch_cells + kWall_cells;
+  const int y =
+      room * kPitch_cells % (layer.cells.box().max.y - kPitch_cells) / kPitch_cells * kPitch_cells +
+      kWall_cells;
+  layer.changed = rectangle(x - kWall_cells, y + kDoorAt_cells, kWall_cells, 3);
+  bool is_blocked = false;
+  std::size_t regions = 0;
+  const std::size_t batches = decomposer.counters().batch_updates;
+  for (auto _ : state) {
+    is_blocked = !is_blocked;
+    set(layer, layer.changed, is_blocked ? kFullObstacle : kFree);
+    regions = decomposer.update(layer).regions.size();
+  }
+  if (decomposer.counters().batch_updates != batches) state.SkipWithError("not incremental");
+  report(state, decomposer, regions);
+}
+BENCHMARK(incrementalInRooms)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Unit(benchmark::kMillisecond);
+
+FreeSpace mapOf(const std::string& path) {
+  const cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
+  const CellBox box{{0, 0}, {image.cols, image.rows}};
+  FreeSpace layer{GridFrame{kMapResolution_m}, Grid<std::int8_t>(box, kFullObstacle), box};
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x)
+      if (image.at<std::uint8_t>(image.rows - 1 - y, x) > kBrightestObstacle)
+        layer.cells.at({x, y}) = kFree;
+  return layer;
+}
+
+void batchOfMap(benchmark::State& state, const std::string& path) {
+  const FreeSpace layer = mapOf(path);
+  DudeDecomposer decomposer({});
+  std::size_t regions = 0;
+  for (auto _ : state) {
+    decomposer.reset();
+    regions = decomposer.update(layer).regions.size();
+  }
+  report(state, decomposer, regions);
+}
+
+void registerMaps(const std::string& folder) {
+  if (folder.empty() || !std::filesystem::is_directory(folder)) {
+    std::cerr << "OCCUSG_MAPS2D_DIR is no folder: benchmarks over real maps are left out\n";
+    return;
+  }
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_annotation = name.find("_gt_") != std::string::npos;
+    if (entry.path().extension() == ".png" && !is_annotation)
+      paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  for (const std::string& path : paths)
+    benchmark::RegisterBenchmark(
+        ("batchOfMap/" + std::filesystem::path(path).stem().string()).c_str(),
+        [path](benchmark::State& state) { batchOfMap(state, path); })
+        ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+}  // namespace occusg
+
+int main(int argc, char** argv) {
+  occusg::registerMaps(OCCUSG_MAPS2D_DIR);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+occusg_add_floor(geometry
+  SOURCES
+    cell_outline.cpp
+    polygon.cpp
+    polygon_overlap.cpp
+    polygon_validity.cpp
+    pose.cpp
+  LIBRARIES CGAL::CGAL Polyclipping::Polyclipping)
+
+occusg_add_floor(perception
+  SOURCES
+    camera_model.cpp
+    class_names.cpp
+    depth_projector.cpp
+    detection_builder.cpp
+    euclidean_cluster.cpp
+    label_image.cpp
+    letterbox.cpp
+    onnx_segmenter.cpp
+    onnx_signature.cpp
+    yolo_output.cpp
+  USES geometry
+  LIBRARIES opencv_core opencv_imgproc opencv_dnn PclClustering::PclClustering)
+
+occusg_add_floor(mapping
+  SOURCES
+    frame_voxels.cpp
+    free_space_layer.cpp
+    occupancy_map.cpp
+    voxel_tree.cpp
+  USES geometry perception
+  LIBRARIES occusg_octomap)
+
+occusg_add_floor(regions
+  SOURCES
+    acceptance_guard.cpp
+    basins.cpp
+    clearance.cpp
+    constriction_decomposer.cpp
+    contacts.cpp
+    dude_candidates.cpp
+    dude_clearance.cpp
+    dude_decomposer.cpp
+    dude_holes.cpp
+    dude_mask.cpp
+    dude_mesh.cpp
+    dude_partition.cpp
+    dude_pieces.cpp
+    dude_pockets.cpp
+    dude_regions.cpp
+    dude_selection.cpp
+    dude_symmetry.cpp
+    dude_trace.cpp
+    label_regions.cpp
+    passages.cpp
+    region_tracker.cpp
+    straight_cuts.cpp
+  USES geometry mapping
+  LIBRARIES CGAL::CGAL opencv_core opencv_imgproc)
+
+occusg_add_floor(graph
+  SOURCES
+    agent_layer.cpp
+    entity_assignment.cpp
+    graph_builder.cpp
+    interior_point.cpp
+    region_snapshot.cpp
+    relinking.cpp
+    room_adjacency.cpp
+    room_layer.cpp
+    scene_graph.cpp
+  USES geometry regions)
+
+occusg_add_floor(io
+  SOURCES
+    canvas.cpp
+    decomposition_drawing.cpp
+    file_bytes.cpp
+    graph_json.cpp
+    grey_picture.cpp
+    json_text.cpp
+    label_picture.cpp
+    label_placement.cpp
+    map_drawing.cpp
+    map_files.cpp
+    map_reader.cpp
+    map_yaml.cpp
+    output_folder.cpp
+    overview_labels.cpp
+    overview_picture.cpp
+    overview_view.cpp
+    png_check.cpp
+    room_color.cpp
+    rooms_file.cpp
+    rooms_geojson.cpp
+    scene_graph_file.cpp
+    sequence_reader.cpp
+    spark_dsg_file.cpp
+    text_lines.cpp
+  USES geometry perception mapping regions graph
+  LIBRARIES nlohmann_json::nlohmann_json yaml-cpp opencv_core opencv_imgproc opencv_imgcodecs)
+
+occusg_add_floor(evaluation
+  SOURCES
+    alignment.cpp
+    assignment.cpp
+    boundary_f1.cpp
+    evaluated_room.cpp
+    room_metrics.cpp
+    room_metrics_mean.cpp
+    metrics_json.cpp
+  USES geometry
+  LIBRARIES nlohmann_json::nlohmann_json)
+
+occusg_add_floor(pipeline
+  SOURCES
+    config.cpp
+    config_file.cpp
+    parameter.cpp
+    pipeline.cpp
+    results.cpp
+    stage_times.cpp
+  USES geometry perception mapping regions graph io
+  LIBRARIES yaml-cpp)

@@ -1,0 +1,19 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs a build into an empty folder and builds another project against it.
+# Usage: install_and_use.sh BUILD_FOLDER WORK_FOLDER
+set -euo pipefail
+build=$1
+work=$2
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+rm -rf "$work"
+mkdir -p "$work"
+# DESTDIR, not --prefix: catkin writes its set-up files to the prefix given when configuring.
+DESTDIR="$work/stage" cmake --install "$build" > "$work/install.log"
+prefix=$(sed -n 's/^CMAKE_INSTALL_PREFIX:PATH=//p' "$build/CMakeCache.txt")
+cmake -S "$here/consumer" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -Doccusg_DIR="$work/stage$prefix/share/occusg/cmake" > "$work/configure.log"
+cmake --build "$work/build" > "$work/build.log"
+LD_LIBRARY_PATH="$work/stage$prefix/lib:${LD_LIBRARY_PATH:-}" "$work/build/consumer"
+"$work/stage$prefix/bin/occusg" --version
