@@ -1,0 +1,9 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs clang-tidy over the sources; needs a configured build folder.
+# Usage: scripts/check_tidy.sh [BUILD_FOLDER]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=${1:-build/release}
+git ls-files 'occusg_core/*.cpp' | xargs -P "$(nproc)" -n 1 clang-tidy --quiet -p "$build"
+echo "clang-tidy: no findings."

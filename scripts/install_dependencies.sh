@@ -1,0 +1,71 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs the Debian or Ubuntu packages OccuSG needs, after saying which and why.
+# Usage: scripts/install_dependencies.sh [--for-development]
+set -euo pipefail
+
+# package | what it is for
+packages="
+cmake               | configures the build
+ninja-build         | runs the build
+g++                 | compiles C++17
+libboost-dev        | needed by CGAL
+libboost-program-options-dev | the command line
+libcgal-dev         | exact geometry of the decomposition
+libeigen3-dev       | poses
+libgtest-dev        | the tests
+liboctomap-dev      | the 3D occupancy map
+libopencv-dev       | images in, pictures out
+libpcl-dev          | clusters of object points
+libpolyclipping-dev | areas polygons share
+libyaml-cpp-dev     | configuration files
+nlohmann-json3-dev  | rooms.json, scene_graph.json
+"
+# ROS 1 from Debian; on Ubuntu 20.04 it comes with Noetic in /opt/ros.
+if [ ! -d /opt/ros/noetic ]; then
+  packages+="catkin              | makes the build a ROS 1 package
+"
+fi
+if [ "${1:-}" = "--for-development" ]; then
+  packages+="clang-format        | checks the layout of the code
+clang-tidy          | checks the code
+gcovr               | measures what the tests cover
+libbenchmark-dev    | the benchmarks
+"
+elif [ $# -gt 0 ]; then
+  echo "usage: scripts/install_dependencies.sh [--for-development]" >&2
+  exit 2
+fi
+
+installed() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+missing=()
+while IFS='|' read -r package reason; do
+  package=${package// /}
+  [ -n "$package" ] || continue
+  if ! installed "$package"; then
+    [ ${#missing[@]} -gt 0 ] || echo "These packages will be installed with apt-get:"
+    printf '  %-29s for%s\n' "$package" ":$reason"
+    missing+=("$package")
+  fi
+done <<< "$packages"
+
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "All needed packages are installed."
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo > /dev/null; then
+    echo "install_dependencies.sh: not root and no sudo; ask an administrator to install: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+echo "Installed ${#missing[@]} packages."
