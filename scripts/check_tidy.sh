@@ -5,5 +5,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/release}
-git ls-files 'occusg_core/*.cpp' | xargs -P "$(nproc)" -n 1 clang-tidy --quiet -p "$build"
+# clang-tidy counts the warnings it suppressed in other people's headers; that says nothing here.
+git ls-files 'occusg_core/*.cpp' |
+  xargs -P "$(nproc)" -n 1 clang-tidy --quiet -p "$build" 2> >(grep -v 'warnings\? generated' >&2)
 echo "clang-tidy: no findings."
