@@ -6,31 +6,7 @@ set -uo pipefail
 occusg=$1
 recording=$2
 work=$3
-failures=0
-
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
-
-fail() {
-  echo "FAILED: $1"
-  sed 's/^/    /' out.txt err.txt
-  failures=$((failures + 1))
-}
-
-# expect NAME EXIT_CODE ERROR_TEXT ARGUMENTS...: ERROR_TEXT must be in standard error ('' = nothing there).
-expect() {
-  local name=$1 code=$2 text=$3
-  shift 3
-  "$occusg" "$@" > out.txt 2> err.txt < /dev/null
-  local got=$?
-  [ $got -eq "$code" ] || { fail "$name: exit code $got instead of $code"; return; }
-  if [ -z "$text" ]; then
-    [ ! -s err.txt ] || fail "$name: unexpected words on standard error"
-  else
-    grep -qF -- "$text" err.txt || fail "$name: standard error lacks '$text'"
-  fi
-}
+. "$(dirname "${BASH_SOURCE[0]}")/expectations.sh"
 
 # short_recording NAME FRAMES: the first frames of the recording, its images shared.
 short_recording() {
@@ -119,8 +95,4 @@ wait $pid
 grep -qF "interrupted after" err.txt || fail "Ctrl-C: it does not say so"
 [ -s cut/rooms.json ] || fail "Ctrl-C: what was found is not written"
 
-if [ $failures -gt 0 ]; then
-  echo "$failures failures"
-  exit 1
-fi
-echo "all as expected"
+finish

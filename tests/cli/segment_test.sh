@@ -5,38 +5,14 @@
 set -uo pipefail
 occusg=$1
 work=$2
-failures=0
-
-rm -rf "$work"
-mkdir -p "$work"
-cd "$work" || exit 1
-
-fail() {
-  echo "FAILED: $1"
-  sed 's/^/    /' out.txt err.txt
-  failures=$((failures + 1))
-}
-
-# expect NAME EXIT_CODE ERROR_TEXT ARGUMENTS...: ERROR_TEXT must be in standard error ('' = nothing there).
-expect() {
-  local name=$1 code=$2 text=$3
-  shift 3
-  "$occusg" "$@" > out.txt 2> err.txt < /dev/null
-  local got=$?
-  [ $got -eq "$code" ] || { fail "$name: exit code $got instead of $code"; return; }
-  if [ -z "$text" ]; then
-    [ ! -s err.txt ] || fail "$name: unexpected words on standard error"
-  else
-    grep -qF -- "$text" err.txt || fail "$name: standard error lacks '$text'"
-    [ "$(wc -l < err.txt)" -eq 1 ] || fail "$name: more than one sentence"
-  fi
-}
+. "$(dirname "${BASH_SOURCE[0]}")/expectations.sh"
 
 # refused NAME ERROR_TEXT ARGUMENTS...: exit code 1, one sentence, nothing written.
 refused() {
   local name=$1 text=$2
   shift 2
   expect "$name" 1 "$text" segment "$@" -o out
+  [ "$(wc -l < err.txt)" -eq 1 ] || fail "$name: more than one sentence"
   [ ! -e out ] || { fail "$name: an output folder was made"; rm -rf out; }
 }
 
@@ -142,8 +118,4 @@ refused "no picture" "neither a PGM nor a PNG" hello.png --resolution 0.05
 touch a_file
 expect "output that is a file" 1 "a_file" segment map.yaml -o a_file
 
-if [ $failures -gt 0 ]; then
-  echo "$failures failures"
-  exit 1
-fi
-echo "all as expected"
+finish
