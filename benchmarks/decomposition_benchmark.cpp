@@ -3,10 +3,12 @@
 // floors against their size. Each room of a generated floor has a pillar and doors to all its
 // neighbours.
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
@@ -87,28 +89,40 @@ void batchOfRooms(benchmark::State& state) {
 // 100 rooms: 2 000 corners and 100 holes; 1 000 rooms: 20 000 corners.
 BENCHMARK(batchOfRooms)->Arg(10)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// A box in a door comes and goes: the two rooms beside it are divided again.
-void incrementalInRooms(benchmark::State& state) {
-  FreeSpace layer = generatedFloor(static_cast<int>(state.range(0)));
-  DudeDecomposer decomposer(withPillars());
-  (void)decomposer.update(layer);
-  const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(state.range(0)))));
-  const int room = across / 2;
-  const int x = room * kPitch_cells + kWall_cells;
-  const int y =
-      room * kPitch_cells % (layer.cells.box().max.y - kPitch_cells) / kPitch_cells * kPitch_cells +
-      kWall_cells;
-  layer.changed = rectangle(x - kWall_cells, y + kDoorAt_cells, kWall_cells, 3);
-  bool is_blocked = false;
-  std::size_t regions = 0;
-  const std::size_t batches = decomposer.counters().batch_updates;
-  for (auto _ : state) {
-    is_blocked = !is_blocked;
-    set(layer, layer.changed, is_blocked ? kFullObstacle : kFree);
-    regions = decomposer.update(layer).regions.size();
+/// A floor on which a box in a door comes and goes, so that the two rooms beside it are divided
+/// again and again.
+class BusyDoor {
+ public:
+  explicit BusyDoor(int rooms) : layer_(generatedFloor(rooms)), decomposer_(withPillars()) {
+    (void)decomposer_.update(layer_);
+    const int across = static_cast<int>(std::ceil(std::sqrt(rooms)));
+    const int rows = (rooms + across - 1) / across;
+    const int x = across / 2 * kPitch_cells + kWall_cells;
+    const int y = rows / 2 * kPitch_cells + kWall_cells;
+    layer_.changed = rectangle(x - kWall_cells, y + kDoorAt_cells, kWall_cells, 3);
   }
-  if (decomposer.counters().batch_updates != batches) state.SkipWithError("not incremental");
-  report(state, decomposer, regions);
+
+  std::size_t update() {
+    is_blocked_ = !is_blocked_;
+    set(layer_, layer_.changed, is_blocked_ ? kFullObstacle : kFree);
+    return decomposer_.update(layer_).regions.size();
+  }
+
+  [[nodiscard]] const DudeDecomposer& decomposer() const { return decomposer_; }
+
+ private:
+  FreeSpace layer_;
+  DudeDecomposer decomposer_;
+  bool is_blocked_ = false;
+};
+
+void incrementalInRooms(benchmark::State& state) {
+  BusyDoor door(static_cast<int>(state.range(0)));
+  std::size_t regions = 0;
+  const std::size_t batches = door.decomposer().counters().batch_updates;
+  for (auto _ : state) regions = door.update();
+  if (door.decomposer().counters().batch_updates != batches) state.SkipWithError("not incremental");
+  report(state, door.decomposer(), regions);
 }
 BENCHMARK(incrementalInRooms)
     ->Arg(10)
@@ -116,6 +130,25 @@ BENCHMARK(incrementalInRooms)
     ->Arg(1000)
     ->Arg(10000)
     ->Unit(benchmark::kMillisecond);
+
+/// Resident memory of the process [KiB].
+double residentMemory() {
+  std::ifstream statm("/proc/self/statm");
+  double total_pages = 0.0;
+  double resident_pages = 0.0;
+  statm >> total_pages >> resident_pages;
+  return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024.0;
+}
+
+/// How much the process grows over 100 000 updates, after the first thousand.
+void memoryOverUpdates(benchmark::State& state) {
+  BusyDoor door(16);
+  for (int i = 0; i < 1000; ++i) (void)door.update();
+  const double before = residentMemory();
+  for (auto _ : state) (void)door.update();
+  state.counters["growth_kib"] = residentMemory() - before;
+}
+BENCHMARK(memoryOverUpdates)->Iterations(100000)->Repetitions(1)->Unit(benchmark::kMillisecond);
 
 FreeSpace mapOf(const std::string& path) {
   const cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);

@@ -25,6 +25,8 @@ import sys
 with open(sys.argv[1], encoding="utf-8") as file:
     rows = json.load(file)["benchmarks"]
 to_ms = {"ns": 1e-6, "us": 1e-3, "ms": 1.0, "s": 1e3}
-print(json.dumps({row["run_name"]: round(row["cpu_time"] * to_ms[row["time_unit"]], 4)
-                  for row in rows if row.get("aggregate_name") == "median"}))
+medians = {row["run_name"] + "_ms": round(row["cpu_time"] * to_ms[row["time_unit"]], 4)
+           for row in rows if row.get("aggregate_name") == "median"}
+growth = {row["run_name"] + "_growth_kib": row["growth_kib"] for row in rows if "growth_kib" in row}
+print(json.dumps({**medians, **growth}))
 PYTHON
