@@ -14,6 +14,6 @@ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS
 cmake --build "$build"
 find "$build" -name '*.gcda' -delete
 (cd "$build" && ctest -L core -j "$(nproc)" --output-on-failure)
-gcovr --root "$root" --object-directory "$build" \
+gcovr --root "$root" "$build/occusg_core" "$build/tests" \
   --filter "$root/occusg_core/src/" --filter "$root/occusg_core/include/" \
   --exclude-throw-branches --print-summary --fail-under-line 85
