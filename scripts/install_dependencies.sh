@@ -20,7 +20,7 @@ libpcl-dev          | clusters of object points
 libpolyclipping-dev | areas polygons share
 libyaml-cpp-dev     | configuration files
 nlohmann-json3-dev  | rooms.json, scene_graph.json
-python3             | tables of results, and a test that reads a picture
+python3             | tables of results
 "
 # ROS 1 from Debian; on Ubuntu 20.04 it comes with Noetic in /opt/ros.
 if [ ! -d /opt/ros/noetic ]; then
