@@ -117,9 +117,11 @@ occusg_add_floor(pipeline
   SOURCES
     config.cpp
     config_file.cpp
+    map_pipeline.cpp
     parameter.cpp
     pipeline.cpp
     results.cpp
+    room_pipeline.cpp
     stage_times.cpp
   USES geometry perception mapping regions graph io
   LIBRARIES yaml-cpp)
