@@ -62,15 +62,18 @@ occusg_add_floor(regions
 occusg_add_floor(graph
   SOURCES
     agent_layer.cpp
+    change_log.cpp
     entity_assignment.cpp
     graph_builder.cpp
     interior_point.cpp
+    node_table.cpp
     region_snapshot.cpp
     relinking.cpp
     room_adjacency.cpp
     room_layer.cpp
     scene_graph.cpp
-  USES geometry regions)
+    spatial_index.cpp
+  USES geometry perception mapping regions)
 
 occusg_add_floor(io
   SOURCES
