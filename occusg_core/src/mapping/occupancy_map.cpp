@@ -102,6 +102,10 @@ const octomap::OcTree& OccupancyMap::tree() const { return *tree_; }
 
 const VoxelColumns& OccupancyMap::columns() const { return tree_->columns(); }
 
+std::size_t OccupancyMap::memoryBytes() const {
+  return tree_->memoryUsage() + tree_->columns().memoryBytes();
+}
+
 void OccupancyMap::reset() { tree_->clear(); }
 
 }  // namespace occusg

@@ -70,6 +70,8 @@ void Pipeline::map(const DepthFrame& frame) {
   const PointCloud cloud = timed(times_, Stage::kPointCloud, [&] {
     return projector_.project(frame.depth, frame.camera, frame.T_map_camera);
   });
+  times_.setMemory(Stage::kPointCloud,
+                   (cloud.points.capacity() + cloud.misses.capacity()) * sizeof(Point3f));
   const MapChange change =
       timed(times_, Stage::kOccupancy, [&] { return occupancy_.insert(cloud); });
   const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
@@ -107,8 +109,8 @@ void Pipeline::updateRegions(const Pose& T_map_camera, double stamp_s) {
 
 StageTimes Pipeline::times() const {
   StageTimes times = times_;
-  times.setMemory(Stage::kOccupancy, occupancy_.tree().memoryUsage());
-  times.setMemory(Stage::kFreeSpace, freeSpace().cells.values().size());
+  times.setMemory(Stage::kOccupancy, occupancy_.memoryBytes());
+  times.setMemory(Stage::kFreeSpace, free_space_.memoryBytes());
   times.setMemory(Stage::kTracking,
                   regions().decomposition.labels.values().size() * sizeof(std::int32_t));
   return times;
