@@ -140,6 +140,7 @@ const FreeSpace& FreeSpaceLayer::recompute(const OccupancyMap& map) {
   FreeSpaceLayer fresh(config_, layer_.frame);
   const VoxelColumns columns = VoxelColumns::of(map.tree());
   fresh.apply(columns, columns.knownColumns());
+  fresh.queue_.shrink_to_fit();  // it held every cell
   fresh.layer_.changed = differingCells(layer_.cells, fresh.layer_.cells);
   *this = std::move(fresh);
   return layer_;
@@ -180,9 +181,14 @@ void FreeSpaceLayer::apply(const VoxelColumns& columns, const std::vector<Cell>&
   for (const Cell& cell : changed) {
     columns.read(cell, reading.bits);
     floors_.set(cell, shownFloor(reading.bits, needed_voxels_));
+  }
+  const std::vector<Cell>& moved_floors = floors_.update();
+  for (const Cell& cell : changed) {
+    if (floors_.hasMoved(cell)) continue;  // comes with its tile
+    columns.read(cell, reading.bits);
     remeasure(reading, cell);
   }
-  for (const Cell& tile : floors_.update()) {
+  for (const Cell& tile : moved_floors) {
     for (int i = 0; i < kFloorTile_cells * kFloorTile_cells; ++i) {
       const Cell cell{kFloorTile_cells * tile.x + i % kFloorTile_cells,
                       kFloorTile_cells * tile.y + i / kFloorTile_cells};

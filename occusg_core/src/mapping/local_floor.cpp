@@ -51,6 +51,7 @@ const std::vector<Cell>& LocalFloor::update() {
   }
   own_due_.clear();
 
+  for (const Cell& name : changed_) tiles_.touch(name).moved = false;
   changed_.clear();
   for (const Cell& name : local_due_) {
     Tile& tile = tiles_.touch(name);
@@ -58,6 +59,7 @@ const std::vector<Cell>& LocalFloor::update() {
     const std::int16_t local = localFloor(name);
     if (local == tile.local) continue;
     tile.local = local;
+    tile.moved = true;
     changed_.push_back(name);
   }
   local_due_.clear();

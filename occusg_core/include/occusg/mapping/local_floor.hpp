@@ -36,6 +36,9 @@ class LocalFloor {
   /// call.
   const std::vector<Cell>& update();
 
+  /// True when the last update moved the local floor of the column's tile.
+  [[nodiscard]] bool hasMoved(const Cell& column) const { return tiles_.at(tileOf(column)).moved; }
+
   /// kNoFloor where none is known.
   [[nodiscard]] std::int16_t at(const Cell& column) const;
 
@@ -48,6 +51,7 @@ class LocalFloor {
     std::int16_t local = kNoFloor;
     bool own_is_due = false;
     bool local_is_due = false;
+    bool moved = false;  ///< In `changed_`.
     friend bool operator==(const Tile& a, const Tile& b) {
       return a.own == b.own && a.local == b.local;
     }
