@@ -25,9 +25,13 @@ occusg_add_floor(perception
 
 occusg_add_floor(mapping
   SOURCES
+    column_bits.cpp
     frame_voxels.cpp
     free_space_layer.cpp
+    local_floor.cpp
+    measured_evidence.cpp
     occupancy_map.cpp
+    voxel_columns.cpp
     voxel_tree.cpp
   USES geometry perception
   LIBRARIES occusg_octomap)

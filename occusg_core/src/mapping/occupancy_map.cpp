@@ -100,6 +100,12 @@ bool OccupancyMap::markRay(const octomap::point3d& origin, const Point3f& end, R
 
 const octomap::OcTree& OccupancyMap::tree() const { return *tree_; }
 
+const VoxelColumns& OccupancyMap::columns() const { return tree_->columns(); }
+
+std::size_t OccupancyMap::memoryBytes() const {
+  return tree_->memoryUsage() + tree_->columns().memoryBytes();
+}
+
 void OccupancyMap::reset() { tree_->clear(); }
 
 }  // namespace occusg

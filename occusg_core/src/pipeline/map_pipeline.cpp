@@ -29,6 +29,8 @@ const FreeSpace& MapPipeline::process(const DepthFrame& frame) {
   const PointCloud cloud = timed(times_, Stage::kPointCloud, [&] {
     return projector_.project(frame.depth, frame.camera, frame.T_map_camera);
   });
+  times_.setMemory(Stage::kPointCloud,
+                   (cloud.points.capacity() + cloud.misses.capacity()) * sizeof(Point3f));
   const MapChange change =
       timed(times_, Stage::kOccupancy, [&] { return occupancy_.insert(cloud); });
   const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
@@ -45,8 +47,8 @@ const FreeSpace& MapPipeline::process(const DepthFrame& frame) {
 
 StageTimes MapPipeline::times() const {
   StageTimes times = times_;
-  times.setMemory(Stage::kOccupancy, occupancy_.tree().memoryUsage());
-  times.setMemory(Stage::kFreeSpace, freeSpace().cells.values().size());
+  times.setMemory(Stage::kOccupancy, occupancy_.memoryBytes());
+  times.setMemory(Stage::kFreeSpace, free_space_.memoryBytes());
   return times;
 }
 

@@ -13,6 +13,7 @@
 namespace occusg {
 
 class FrameVoxels;
+class VoxelColumns;
 class VoxelTree;
 
 struct OccupancyMapConfig {
@@ -57,6 +58,10 @@ class OccupancyMap {
   MapChange insert(const PointCloud& cloud);
 
   [[nodiscard]] const octomap::OcTree& tree() const;
+  /// The states of the tree's voxels by column, for the free-space layer.
+  [[nodiscard]] const VoxelColumns& columns() const;
+  /// Memory of the tree and its columns, without what the allocator adds [bytes]. Visits every node.
+  [[nodiscard]] std::size_t memoryBytes() const;
   [[nodiscard]] const OccupancyMapConfig& config() const { return config_; }
   /// Forgets everything.
   void reset();
