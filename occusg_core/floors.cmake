@@ -19,15 +19,21 @@ occusg_add_floor(perception
     letterbox.cpp
     onnx_segmenter.cpp
     onnx_signature.cpp
+    range_image.cpp
     yolo_output.cpp
   USES geometry
   LIBRARIES opencv_core opencv_imgproc opencv_dnn PclClustering::PclClustering)
 
 occusg_add_floor(mapping
   SOURCES
+    depth_bounds.cpp
+    frame_carver.cpp
+    frame_rays.cpp
     frame_voxels.cpp
     free_space_layer.cpp
+    lattice_projection.cpp
     occupancy_map.cpp
+    settled_free.cpp
     voxel_tree.cpp
   USES geometry perception
   LIBRARIES occusg_octomap)
