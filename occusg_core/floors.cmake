@@ -19,6 +19,7 @@ occusg_add_floor(perception
     letterbox.cpp
     onnx_segmenter.cpp
     onnx_signature.cpp
+    range_image.cpp
     yolo_output.cpp
   USES geometry
   LIBRARIES opencv_core opencv_imgproc opencv_dnn PclClustering::PclClustering)
@@ -26,11 +27,16 @@ occusg_add_floor(perception
 occusg_add_floor(mapping
   SOURCES
     column_bits.cpp
+    depth_bounds.cpp
+    frame_carver.cpp
+    frame_rays.cpp
     frame_voxels.cpp
     free_space_layer.cpp
+    lattice_projection.cpp
     local_floor.cpp
     measured_evidence.cpp
     occupancy_map.cpp
+    settled_free.cpp
     voxel_columns.cpp
     voxel_tree.cpp
   USES geometry perception

@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "mapping/frame_carver.hpp"
+#include "mapping/frame_rays.hpp"
 #include "mapping/frame_voxels.hpp"
 #include "mapping/voxel_tree.hpp"
 #include "occusg/error.hpp"
@@ -33,6 +35,9 @@ const OccupancyMapConfig& checked(const OccupancyMapConfig& config) {
   return config;
 }
 
+/// A frame that spans more is walked ray by ray: its window would take too much memory.
+constexpr std::size_t kMaxWindowBlocks = std::size_t{1} << 22;
+
 octomap::point3d toOctomap(const Point3f& point) { return {point.x, point.y, point.z}; }
 
 /// OctoMap converts coordinates to int before it compares, and prints when they are out of bounds.
@@ -49,7 +54,9 @@ bool insideMap(const octomap::OcTree& tree, const octomap::point3d& point) {
 OccupancyMap::OccupancyMap(const OccupancyMapConfig& config)
     : config_(checked(config)),
       tree_(std::make_unique<VoxelTree>(config.resolution_m)),
-      frame_(std::make_unique<FrameVoxels>()) {
+      frame_(std::make_unique<FrameVoxels>()),
+      rays_(std::make_unique<FrameRays>()),
+      carver_(std::make_unique<FrameCarver>()) {
   tree_->setProbHit(config_.hit_probability);
   tree_->setProbMiss(config_.miss_probability);
   tree_->setClampingThresMin(config_.min_probability);
@@ -73,6 +80,21 @@ MapChange OccupancyMap::insert(const PointCloud& cloud) {
   for (const Point3f& point : cloud.misses)
     if (!markRay(origin, point, RayEnd::kMiss)) ++change.points_outside_map;
   change.columns = tree_->integrate(frame_->settled());
+  return change;
+}
+
+MapChange OccupancyMap::insert(const RangeImage& image) {
+  if (config_.mode == IntegrationMode::kReference) return insert(toPointCloud(image));
+  MapChange change;
+  if (!insideMap(*tree_, toOctomap(image.origin))) {
+    change.origin_outside_map = true;
+    return change;
+  }
+  change.points_outside_map = rays_->prepare(image, {config_.resolution_m, config_.max_range_m});
+  if (FrameCarver::blocksBetween(rays_->bounds()) > kMaxWindowBlocks) return insert(toPointCloud(image));
+  const Carving carving =
+      config_.mode == IntegrationMode::kExact ? Carving::kExact : Carving::kFast;
+  change.columns = tree_->integrate(carver_->carve(*rays_, image, *tree_, carving));
   return change;
 }
 
