@@ -33,10 +33,11 @@ occusg_add_floor(mapping
     free_space_layer.cpp
     lattice_projection.cpp
     occupancy_map.cpp
-    settled_free.cpp
+    settled_voxels.cpp
     voxel_tree.cpp
+    workers.cpp
   USES geometry perception
-  LIBRARIES occusg_octomap)
+  LIBRARIES occusg_octomap Threads::Threads)
 
 occusg_add_floor(regions
   SOURCES

@@ -67,21 +67,24 @@ void Pipeline::finish() {
 }
 
 void Pipeline::map(const DepthFrame& frame) {
-  const PointCloud cloud = timed(times_, Stage::kPointCloud, [&] {
-    return projector_.project(frame.depth, frame.camera, frame.T_map_camera);
+  const RangeImage& image = timed(times_, Stage::kPointCloud, [&]() -> const RangeImage& {
+    return projector_.projectLattice(frame.depth, frame.camera, frame.T_map_camera);
   });
   const MapChange change =
-      timed(times_, Stage::kOccupancy, [&] { return occupancy_.insert(cloud); });
+      timed(times_, Stage::kOccupancy, [&] { return occupancy_.insert(image); });
   const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
     return free_space_.update(occupancy_, change);
   });
   changed_since_regions_ = changed_since_regions_.including(layer.changed);
 
   ++counts_.frames;
-  counts_.points += cloud.points.size();
+  counts_.points += image.hits;
   counts_.points_outside_map += change.points_outside_map;
   counts_.frames_outside_map += change.origin_outside_map ? 1 : 0;
-  add(counts_.pixel_drops, cloud.drops);
+  counts_.frames_without_depth += change.no_rays ? 1 : 0;
+  counts_.frames_from_occupied += change.origin_occupied ? 1 : 0;
+  counts_.frames_without_memory += change.memory_exhausted ? 1 : 0;
+  add(counts_.pixel_drops, image.drops);
 }
 
 bool Pipeline::regionsAreDue(double stamp_s) const {
@@ -107,7 +110,7 @@ void Pipeline::updateRegions(const Pose& T_map_camera, double stamp_s) {
 
 StageTimes Pipeline::times() const {
   StageTimes times = times_;
-  times.setMemory(Stage::kOccupancy, occupancy_.tree().memoryUsage());
+  times.setMemory(Stage::kOccupancy, occupancy_.memoryBytes());
   times.setMemory(Stage::kFreeSpace, freeSpace().cells.values().size());
   times.setMemory(Stage::kTracking,
                   regions().decomposition.labels.values().size() * sizeof(std::int32_t));
