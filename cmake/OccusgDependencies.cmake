@@ -8,6 +8,7 @@ find_package(octomap REQUIRED)
 find_package(OpenCV REQUIRED COMPONENTS core dnn imgproc imgcodecs)
 find_package(PclClustering REQUIRED)
 find_package(Polyclipping REQUIRED)
+find_package(Threads REQUIRED)
 find_package(yaml-cpp REQUIRED)
 
 add_library(occusg_octomap INTERFACE)

@@ -36,11 +36,12 @@ occusg_add_floor(mapping
     local_floor.cpp
     measured_evidence.cpp
     occupancy_map.cpp
-    settled_free.cpp
+    settled_voxels.cpp
     voxel_columns.cpp
     voxel_tree.cpp
+    workers.cpp
   USES geometry perception
-  LIBRARIES occusg_octomap)
+  LIBRARIES occusg_octomap Threads::Threads)
 
 occusg_add_floor(regions
   SOURCES

@@ -101,9 +101,19 @@ void printCounts(const PipelineCounts& counts) {
             << counts.region_updates << " region updates, " << counts.rejected_region_updates
             << " rejected\n";
   if (counts.points_outside_map > 0)
-    std::cout << "  " << counts.points_outside_map << " points outside the map's reach, ignored\n";
+    std::cout << "  " << counts.points_outside_map
+              << " points ignored: they lie beyond the 32 768 voxels an OctoMap reaches from its "
+                 "origin\n";
   if (counts.frames_outside_map > 0)
     std::cout << "  " << counts.frames_outside_map << " frames from outside the map, ignored\n";
+  if (counts.frames_without_depth > 0)
+    std::cout << "  " << counts.frames_without_depth << " frames without any depth\n";
+  if (counts.frames_from_occupied > 0)
+    std::cout << "  " << counts.frames_from_occupied
+              << " frames from inside an occupied voxel, not mapped\n";
+  if (counts.frames_without_memory > 0)
+    std::cout << "  " << counts.frames_without_memory
+              << " frames not mapped: the map has reached mapping.occupancy.max_memory_mb\n";
 }
 
 void reportBadInput(const SequenceReader& sequence, const RunOutcome& outcome) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mapping/workers.hpp"
+
 namespace occusg {
 
 /// Pixels [left, right] x [top, bottom], both ends included.
@@ -24,7 +26,7 @@ struct PixelBox {
 class DepthBounds {
  public:
   /// @param depth row-major, width * height, not negative; 0 where there is none.
-  void build(const std::vector<float>& depth, int width, int height);
+  void build(const std::vector<float>& depth, int width, int height, Workers& workers);
 
   [[nodiscard]] float largest() const { return largest_; }
   /// @param box not empty, inside the image.
@@ -35,8 +37,8 @@ class DepthBounds {
   using Table = std::vector<std::int16_t>;
   static constexpr std::size_t kLevels = 6;
 
-  void quantize(const std::vector<float>& depth);
-  void buildLevel(std::size_t level, int height);
+  void quantizeNearest(const std::vector<float>& depth);
+  void quantizeFarthest(const std::vector<float>& depth);
 
   int width_ = 0;
   float largest_ = 0.0F;

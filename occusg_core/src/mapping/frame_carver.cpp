@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mapping/morton.hpp"
-#include "mapping/settled_free.hpp"
 
 namespace occusg {
 namespace {
@@ -15,6 +15,11 @@ constexpr int kFirstBlock = -32768 / kBlockSide;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 constexpr std::uint64_t kByte = 0xFF;
 constexpr int kUndivided = 32;  ///< Pixels.
+constexpr int kFastRowStep = 3;
+constexpr int kTasksPerThread = 8;
+constexpr float kDepthSlack = 0.002F;    ///< Voxels.
+constexpr float kPixelSlack = 0.02F;
+constexpr float kNearestSurface = 4.0F;  ///< Voxels; nearer ones are as good as never seen.
 
 int blockOf(int voxel) { return voxel >> 3; }
 
@@ -34,18 +39,6 @@ Eigen::Map<const Float8> at(const std::vector<float>& values, std::size_t first)
   return Eigen::Map<const Float8>(values.data() + first);
 }
 
-/// Where rays with these inverse directions are between two planes across one axis.
-struct Crossing {
-  Float8 enter;
-  Float8 leave;
-};
-
-Crossing between(float low, const Eigen::Map<const Float8>& inverse) {
-  const Float8 a = low * inverse;
-  const Float8 b = (low + 1.0F) * inverse;
-  return {a.min(b), a.max(b)};
-}
-
 }  // namespace
 
 std::size_t FrameCarver::blocksBetween(const std::array<VoxelIndex, 2>& bounds) {
@@ -57,31 +50,54 @@ std::size_t FrameCarver::blocksBetween(const std::array<VoxelIndex, 2>& bounds) 
 }
 
 const std::vector<VoxelBlock>& FrameCarver::carve(const FrameRays& rays, const RangeImage& image,
-                                                  const octomap::OcTree& tree, Carving carving) {
-  rays_ = &rays;
-  tree_ = &tree;
+                                                  const octomap::OcTree& tree,
+                                                  SettledVoxels& settled, Carving carving,
+                                                  Workers& workers) {
+  settled_ = &settled;
   carving_ = carving;
-  float farthest_m = 0.0F;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    origin_[axis] = static_cast<float>(rays.origin()[axis] / tree.getResolution());
-    farthest_m = std::max(farthest_m, std::abs(static_cast<float>(rays.origin()[axis])));
-  }
-  // Points are rounded to single precision where they are, which may be far from the map's origin.
-  const float rounding = 4.0F * (farthest_m + 10.0F) / 8388608.0F / static_cast<float>(tree.getResolution());
-  depth_slack_ = 0.002F + rounding;
-  projection_ = LatticeProjection(image, 0.02F + rounding * static_cast<float>(image.camera.fx) / 4.0F);
-  depth_.build(rays.depth(), rays.width(), rays.height());
+  openFrame(rays, image, tree);
+  depth_.build(rays.depth(), rays.width(), rays.height(), workers);
   openWindow(rays.bounds());
   mark(rays);
-  carved_.clear();
-  carveBlocks(0, window_.size.y * window_.size.z);
 
-  order_.clear();
-  for (std::size_t i = 0; i < carved_.size(); ++i) order_.push_back(carved_[i].code << 24 | i);
-  std::sort(order_.begin(), order_.end());
-  sorted_.clear();
-  for (const std::uint64_t entry : order_) sorted_.push_back(carved_[entry & 0xFFFFFFU]);
+  const int tasks = workers.threads() == 1 ? 1 : kTasksPerThread * workers.threads();
+  const int rows = window_.size.y * window_.size.z;
+  carved_.resize(static_cast<std::size_t>(tasks));
+  workers.run(tasks, [&](int task) {
+    auto& carved = carved_[static_cast<std::size_t>(task)];
+    carved.clear();
+    carveBlocks(rows * task / tasks, rows * (task + 1) / tasks, carved);
+  });
+  sortBlocks();
   return sorted_;
+}
+
+void FrameCarver::openFrame(const FrameRays& rays, const RangeImage& image,
+                            const octomap::OcTree& tree) {
+  rays_ = &rays;
+  tree_ = &tree;
+  double farthest_m = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    origin_[axis] = static_cast<float>(rays.origin()[axis] / tree.getResolution());
+    farthest_m = std::max(farthest_m, std::abs(rays.origin()[axis]));
+  }
+  // Points are rounded to single precision where they are, which may be far from the map's origin.
+  const auto rounding = static_cast<float>(
+      4.0 * (farthest_m + 10.0) * std::numeric_limits<float>::epsilon() / tree.getResolution());
+  depth_slack_ = kDepthSlack + rounding;
+  projection_ = LatticeProjection(
+      image, kPixelSlack + rounding * static_cast<float>(image.camera.fx) / kNearestSurface);
+}
+
+/// Morton codes are unique, so the order does not depend on which task found a block.
+void FrameCarver::sortBlocks() {
+  order_.clear();
+  for (const auto& carved : carved_)
+    for (const VoxelBlock& block : carved) order_.push_back(&block);
+  std::sort(order_.begin(), order_.end(),
+            [](const VoxelBlock* a, const VoxelBlock* b) { return a->code < b->code; });
+  sorted_.clear();
+  for (const VoxelBlock* block : order_) sorted_.push_back(*block);
 }
 
 void FrameCarver::openWindow(const std::array<VoxelIndex, 2>& bounds) {
@@ -95,7 +111,7 @@ void FrameCarver::openWindow(const std::array<VoxelIndex, 2>& bounds) {
 
 void FrameCarver::mark(const FrameRays& rays) {
   marked_.clear();
-  for (const MarkedVoxel& mark : rays.marks()) {
+  rays.forEachMark([this](const MarkedVoxel& mark) {
     const VoxelIndex block{blockOf(mark.voxel.x), blockOf(mark.voxel.y), blockOf(mark.voxel.z)};
     const auto slot = static_cast<std::size_t>(
         ((block.z - window_.first.z) * window_.size.y + block.y - window_.first.y) *
@@ -112,10 +128,10 @@ void FrameCarver::mark(const FrameRays& rays) {
                      static_cast<unsigned>(mark.voxel.z));
     auto& words = mark.kind == RayEnd::kHit ? marked.occupied : marked.free;
     words[place >> 6] |= std::uint64_t{1} << (place & 63U);
-  }
+  });
 }
 
-void FrameCarver::carveBlocks(int first_row, int end_row) {
+void FrameCarver::carveBlocks(int first_row, int end_row, std::vector<VoxelBlock>& carved) {
   const std::array<double, 3>& origin = rays_->origin();
   const double voxels_per_m = 1.0 / tree_->getResolution();
   const ViewPoint step = static_cast<float>(kBlockSide) * projection_.step(0);
@@ -129,11 +145,12 @@ void FrameCarver::carveBlocks(int first_row, int end_row) {
                             away(block.y, 1) * projection_.step(1) +
                             away(block.z, 2) * projection_.step(2);
     for (int i = 0; i < window_.size.x; ++i, ++block.x)
-      carveBlock(block, start + static_cast<float>(i) * step);
+      carveBlock(block, start + static_cast<float>(i) * step, carved);
   }
 }
 
-void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center) {
+void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center,
+                             std::vector<VoxelBlock>& carved) {
   const auto slot = static_cast<std::size_t>(
       ((at.z - window_.first.z) * window_.size.y + at.y - window_.first.y) * window_.size.x + at.x -
       window_.first.x);
@@ -143,25 +160,26 @@ void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center) {
   VoxelBlock result;
   if (marked != nullptr) result = *marked;
   result.code = codeOf(at);
-  if (verdict == Verdict::kAll) {
-    result.free.fill(kAll);
-  } else if (verdict == Verdict::kSome) {
+  if (verdict != Verdict::kNone) {
     Block block;
+    block.done = settled_->of(result.code, *tree_);
     block.first_voxel = {kBlockSide * at.x, kBlockSide * at.y, kBlockSide * at.z};
-    block.done = settledFree(*tree_, result.code);
     for (unsigned i = 0; i < 8; ++i) {
       block.done[i] |= result.occupied[i] | result.free[i];
-      block.free[i] = result.free[i];
-      carveWord(block, i, center + projection_.corners(1)[i]);
+      if (verdict == Verdict::kAll) {
+        block.free[i] = kAll;
+      } else {
+        carveWord(block, i, center + projection_.corners(1)[i]);
+      }
+      result.free[i] |= block.free[i] & ~block.done[i];
     }
-    result.free = block.free;
   }
   std::uint64_t any = 0;
   for (unsigned i = 0; i < 8; ++i) {
     result.free[i] &= ~result.occupied[i];
     any |= result.free[i] | result.occupied[i];
   }
-  if (any != 0) carved_.push_back(result);
+  if (any != 0) carved.push_back(result);
 }
 
 void FrameCarver::carveWord(Block& block, unsigned word, const ViewPoint& center) const {
@@ -184,9 +202,9 @@ std::uint64_t FrameCarver::carveByte(const Block& block, unsigned word, unsigned
   if (verdict == Verdict::kNone) return 0;
   if (verdict == Verdict::kAll) return kByte;
   const VoxelIndex first = partOf(partOf(block.first_voxel, word, 4), byte, 2);
-  std::uint64_t free = 0;
+  std::uint64_t free = passedByCenter(center);
   for (unsigned i = 0; i < 8; ++i) {
-    if ((done >> i & 1U) != 0) continue;
+    if (((done | free) >> i & 1U) != 0) continue;
     if (isFree(partOf(first, i, 1), center + projection_.corners(3)[i])) free |= std::uint64_t{1} << i;
   }
   return free;
@@ -205,11 +223,21 @@ FrameCarver::Verdict FrameCarver::judge(const ViewPoint& center, std::size_t siz
   return all ? Verdict::kAll : Verdict::kSome;
 }
 
+/// Of the eight voxels about `center`, those the ray nearest to their own centre passes.
+std::uint64_t FrameCarver::passedByCenter(const ViewPoint& center) const {
+  const float half = projection_.corners(3).depth + depth_slack_;
+  const std::array<int, 8> pixels = projection_.pixelsThrough(center);
+  std::uint64_t passed = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    if (pixels[i] < 0) continue;
+    const float end = rays_->depth()[static_cast<std::size_t>(pixels[i])];
+    if (end >= center.z + projection_.corners(3).z[i] + half) passed |= std::uint64_t{1} << i;
+  }
+  return passed;
+}
+
 bool FrameCarver::isFree(const VoxelIndex& voxel, const ViewPoint& center) const {
   const float half = projection_.corners(3).depth + depth_slack_;
-  const int pixel = projection_.pixelThrough(center);
-  if (pixel >= 0 && rays_->depth()[static_cast<std::size_t>(pixel)] >= center.z + half) return true;
-  if (carving_ == Carving::kFast) return false;
   const float nearest = center.z - half;
   if (center.z + half <= 0.0F || nearest >= depth_.largest()) return false;
   PixelBox box;
@@ -245,17 +273,26 @@ bool FrameCarver::isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, floa
   const float x = static_cast<float>(voxel.x) - origin_[0];
   const float y = static_cast<float>(voxel.y) - origin_[1];
   const float z = static_cast<float>(voxel.z) - origin_[2];
-  for (int row = box.top; row <= box.bottom; ++row) {
+  const int step = carving_ == Carving::kExact ? 1 : kFastRowStep;
+  for (int row = box.top + (step > 1 ? (box.bottom - box.top) % step / 2 : 0); row <= box.bottom;
+       row += step) {
     const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays_->width());
     // The last rays may be those of pixels beyond the box: they are rays all the same.
     for (int column = box.left; column <= box.right; column += kRaysAtOnce) {
       const std::size_t first = start + static_cast<std::size_t>(column);
       if (at(rays_->depth(), first).maxCoeff() < nearest) continue;
-      const Crossing in_x = between(x, at(inverse[0], first));
-      const Crossing in_y = between(y, at(inverse[1], first));
-      const Crossing in_z = between(z, at(inverse[2], first));
-      const Float8 enter = in_x.enter.max(in_y.enter).max(in_z.enter).max(0.0F);
-      const Float8 leave = in_x.leave.min(in_y.leave).min(in_z.leave);
+      Float8 near = x * at(inverse[0], first);
+      Float8 far = near + at(inverse[0], first);
+      Float8 enter = near.min(far).max(0.0F);
+      Float8 leave = near.max(far);
+      near = y * at(inverse[1], first);
+      far = near + at(inverse[1], first);
+      enter = enter.max(near.min(far));
+      leave = leave.min(near.max(far));
+      near = z * at(inverse[2], first);
+      far = near + at(inverse[2], first);
+      enter = enter.max(near.min(far));
+      leave = leave.min(near.max(far));
       if ((leave - enter).min(1.0F - leave).maxCoeff() > 0.0F) return true;
     }
   }

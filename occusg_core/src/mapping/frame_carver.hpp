@@ -12,6 +12,7 @@
 #include "mapping/frame_rays.hpp"
 #include "mapping/frame_voxels.hpp"
 #include "mapping/lattice_projection.hpp"
+#include "mapping/settled_voxels.hpp"
 
 namespace occusg {
 
@@ -27,11 +28,12 @@ enum class Carving {
 /// rays through a voxel are tested one by one.
 class FrameCarver {
  public:
-  /// @param tree the map: voxels of it that one more miss leaves as they are may be left out.
+  /// @param settled of `tree`, the map: voxels that one more miss leaves as they are are left out.
   /// @return the touched blocks in Morton order, as `VoxelTree::integrate` wants them; valid until
   /// the next call.
   const std::vector<VoxelBlock>& carve(const FrameRays& rays, const RangeImage& image,
-                                       const octomap::OcTree& tree, Carving carving);
+                                       const octomap::OcTree& tree, SettledVoxels& settled,
+                                       Carving carving, Workers& workers);
   /// Blocks between the bounds of the rays. Time and memory of `carve` grow with it.
   [[nodiscard]] static std::size_t blocksBetween(const std::array<VoxelIndex, 2>& bounds);
 
@@ -48,14 +50,17 @@ class FrameCarver {
   };
   enum class Verdict { kNone, kSome, kAll };
 
+  void openFrame(const FrameRays& rays, const RangeImage& image, const octomap::OcTree& tree);
   void openWindow(const std::array<VoxelIndex, 2>& bounds);
   void mark(const FrameRays& rays);
-  void carveBlocks(int first_row, int end_row);
-  void carveBlock(const VoxelIndex& at, const ViewPoint& center);
+  void carveBlocks(int first_row, int end_row, std::vector<VoxelBlock>& carved);
+  void carveBlock(const VoxelIndex& at, const ViewPoint& center, std::vector<VoxelBlock>& carved);
+  void sortBlocks();
   void carveWord(Block& block, unsigned word, const ViewPoint& center) const;
   [[nodiscard]] std::uint64_t carveByte(const Block& block, unsigned word, unsigned byte,
                                         const ViewPoint& center) const;
   [[nodiscard]] bool isFree(const VoxelIndex& voxel, const ViewPoint& center) const;
+  [[nodiscard]] std::uint64_t passedByCenter(const ViewPoint& center) const;
   [[nodiscard]] bool isCrossed(const VoxelIndex& voxel, const ViewPoint& center, float nearest,
                                const PixelBox& box) const;
   [[nodiscard]] bool isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, float nearest) const;
@@ -64,6 +69,7 @@ class FrameCarver {
   Carving carving_ = Carving::kExact;
   const FrameRays* rays_ = nullptr;
   const octomap::OcTree* tree_ = nullptr;
+  SettledVoxels* settled_ = nullptr;
   LatticeProjection projection_;
   DepthBounds depth_;
   float depth_slack_ = 0.0F;  ///< Rounding of depths [voxels].
@@ -71,8 +77,8 @@ class FrameCarver {
   Window window_;
   std::vector<std::uint32_t> slots_;  ///< Of the window's blocks: number of the mark + 1, or 0.
   std::vector<VoxelBlock> marked_;    ///< What rays end in.
-  std::vector<VoxelBlock> carved_;
-  std::vector<std::uint64_t> order_;
+  std::vector<std::vector<VoxelBlock>> carved_;  ///< By task.
+  std::vector<const VoxelBlock*> order_;
   std::vector<VoxelBlock> sorted_;
 };
 

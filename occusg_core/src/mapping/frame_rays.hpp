@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mapping/workers.hpp"
 #include "occusg/perception/range_image.hpp"
 
 namespace occusg {
@@ -37,7 +38,7 @@ inline constexpr int kRaysAtOnce = 8;
 class FrameRays {
  public:
   /// @return the number of rays left out: they end outside the map or nowhere.
-  std::size_t prepare(const RangeImage& image, const RayLimits& limits);
+  std::size_t prepare(const RangeImage& image, const RayLimits& limits, Workers& workers);
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
@@ -45,8 +46,12 @@ class FrameRays {
   [[nodiscard]] const std::vector<float>& depth() const { return depth_; }
   /// 1 / (end - sensor) by axis; kNoRay on all of them where there is no ray.
   [[nodiscard]] const std::array<std::vector<float>, 3>& inverse() const { return inverse_; }
-  /// Distinct neighbours in row-major order; a voxel may come again later.
-  [[nodiscard]] const std::vector<MarkedVoxel>& marks() const { return marks_; }
+  /// Calls `visit` with every voxel a ray ends in, some of them several times.
+  template <typename Visit>
+  void forEachMark(Visit&& visit) const {
+    for (const Band& band : bands_)
+      for (const MarkedVoxel& mark : band.marks) visit(mark);
+  }
   /// Sensor position.
   [[nodiscard]] const std::array<double, 3>& origin() const { return origin_; }
   /// Bounds of all rays; the lower corner is in, the upper is not.
@@ -56,21 +61,24 @@ class FrameRays {
   static constexpr float kNoRay = 1e20F;
 
  private:
-  /// One row of the lattice on its way through `prepare`.
-  struct Row {
+  /// Rows of the lattice that one thread prepares, and one row on its way.
+  struct Band {
     std::array<std::vector<float>, 3> direction;  ///< Uncut [m].
     std::vector<float> squared_range;             ///< [m2]
     std::vector<float> cut;                       ///< Share of the ray that counts, 1 for all.
-    std::array<std::vector<int>, 3> voxel;        ///< Of the uncut end.
     std::vector<RayEnd> kinds;
+    std::array<float, 3> lowest{};  ///< Of the cut rays, from the sensor [m].
+    std::array<float, 3> highest{};
+    std::vector<MarkedVoxel> marks;
+    std::size_t dropped = 0;
   };
 
-  void resize(const RangeImage& image);
-  void measure(const RangeImage& image, std::size_t first);
-  [[nodiscard]] std::size_t dropUnusable(const RangeImage& image);
-  void cutAndInvert(std::size_t first);
-  void mark(const RangeImage& image, std::size_t first);
-  void findVoxels(const RangeImage& image, std::size_t first);
+  void resize(const RangeImage& image, int bands);
+  void prepareRow(const RangeImage& image, std::size_t first, Band& band);
+  void measure(const RangeImage& image, std::size_t first, Band& band) const;
+  void dropUnusable(Band& band) const;
+  void cutAndInvert(std::size_t first, Band& band);
+  void mark(const RangeImage& image, std::size_t first, Band& band) const;
   void setBounds();
 
   RayLimits limits_;
@@ -78,13 +86,10 @@ class FrameRays {
   int height_ = 0;
   std::array<float, 3> forward_{};  ///< Optical axis in the map frame.
   std::array<double, 3> origin_{};
-  std::array<float, 3> lowest_{};  ///< Of the cut rays, from the sensor [m].
-  std::array<float, 3> highest_{};
   std::array<VoxelIndex, 2> bounds_{};
   std::vector<float> depth_;
   std::array<std::vector<float>, 3> inverse_;
-  std::vector<MarkedVoxel> marks_;
-  Row row_;
+  std::vector<Band> bands_;
 };
 
 }  // namespace occusg

@@ -102,22 +102,30 @@ class LatticeProjection {
            (y - bottom * z).minCoeff() <= 0.0F;
   }
 
-  /// The pixel nearest to where `center` is seen; negative when it is outside of the image or no
-  /// ray need pass the voxel about `center` close enough to cross it.
-  [[nodiscard]] int pixelThrough(const ViewPoint& center) const {
-    if (center.z < kNearest) return -1;
-    const float inverse = 1.0F / center.z;
-    const float u = center.x * inverse + cx_;
-    const float v = center.y * inverse + cy_;
-    if (!(u >= 0.0F && u <= last_column_ && v >= 0.0F && v <= last_row_)) return -1;
-    const int column = static_cast<int>(u + 0.5F);
-    const int row = static_cast<int>(v + 0.5F);
-    if (center.z > dense_depth_) {
-      const float x = (static_cast<float>(column) - u) * pitch_x_ * center.z;
-      const float y = (static_cast<float>(row) - v) * pitch_y_ * center.z;
-      if (x * x + y * y > kSurelyCrossed * kSurelyCrossed) return -1;
+  /// For each of the eight voxels about `center` the pixel nearest to where its centre is seen;
+  /// negative when that is outside of the image or no ray need pass close enough to cross it.
+  [[nodiscard]] std::array<int, 8> pixelsThrough(const ViewPoint& center) const {
+    const CubeCorners& offsets = corners_[kSizes - 1];
+    const Float8 z = offsets.z + center.z;
+    const Float8 inverse = z.max(kNearest).inverse();
+    const Float8 u = (offsets.x + center.x) * inverse + cx_;
+    const Float8 v = (offsets.y + center.y) * inverse + cy_;
+    std::array<int, 8> pixels{};
+    for (int i = 0; i < 8; ++i) {
+      const bool seen = z[i] >= kNearest && u[i] >= 0.0F && u[i] <= last_column_ && v[i] >= 0.0F &&
+                        v[i] <= last_row_;
+      if (!seen) {
+        pixels[static_cast<std::size_t>(i)] = -1;
+        continue;
+      }
+      const int column = static_cast<int>(u[i] + 0.5F);
+      const int row = static_cast<int>(v[i] + 0.5F);
+      const float x = (static_cast<float>(column) - u[i]) * pitch_x_ * z[i];
+      const float y = (static_cast<float>(row) - v[i]) * pitch_y_ * z[i];
+      const bool crossed = x * x + y * y <= kSurelyCrossed * kSurelyCrossed;
+      pixels[static_cast<std::size_t>(i)] = crossed ? row * width_ + column : -1;
     }
-    return row * width_ + column;
+    return pixels;
   }
 
   /// Up to this depth every voxel is crossed by a ray, if none is missing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/mapping/occupancy_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -8,11 +9,15 @@
 #include "mapping/frame_carver.hpp"
 #include "mapping/frame_rays.hpp"
 #include "mapping/frame_voxels.hpp"
+#include "mapping/settled_voxels.hpp"
 #include "mapping/voxel_tree.hpp"
+#include "mapping/workers.hpp"
 #include "occusg/error.hpp"
 
 namespace occusg {
 namespace {
+
+constexpr double kMaxMemory_mb = 1e9;
 
 enum class Limits { kInside, kOutside };  ///< Whether the limits themselves are allowed.
 
@@ -32,8 +37,16 @@ const OccupancyMapConfig& checked(const OccupancyMapConfig& config) {
   checkRange("miss_probability", config.miss_probability, 0.0, 0.5, Limits::kOutside);
   checkRange("min_probability", config.min_probability, 0.0, 0.5, Limits::kOutside);
   checkRange("max_probability", config.max_probability, 0.5, 1.0, Limits::kOutside);
+  checkRange("threads", config.threads, 1, kMaxThreads, Limits::kInside);
+  checkRange("max_memory_mb", config.max_memory_mb, 0.0, kMaxMemory_mb, Limits::kOutside);
   return config;
 }
+
+constexpr double kMebibyte = 1048576.0;
+
+/// What a node takes on the heap on average over the maps of the benchmarks: the node itself, and
+/// in every inner node the array of its children.
+constexpr std::size_t kBytesPerNode = 48;
 
 /// A frame that spans more is walked ray by ray: its window would take too much memory.
 constexpr std::size_t kMaxWindowBlocks = std::size_t{1} << 22;
@@ -56,7 +69,9 @@ OccupancyMap::OccupancyMap(const OccupancyMapConfig& config)
       tree_(std::make_unique<VoxelTree>(config.resolution_m)),
       frame_(std::make_unique<FrameVoxels>()),
       rays_(std::make_unique<FrameRays>()),
-      carver_(std::make_unique<FrameCarver>()) {
+      carver_(std::make_unique<FrameCarver>()),
+      settled_(std::make_unique<SettledVoxels>()),
+      workers_(std::make_unique<Workers>(config.threads)) {
   tree_->setProbHit(config_.hit_probability);
   tree_->setProbMiss(config_.miss_probability);
   tree_->setClampingThresMin(config_.min_probability);
@@ -68,34 +83,58 @@ OccupancyMap& OccupancyMap::operator=(OccupancyMap&&) noexcept = default;
 OccupancyMap::~OccupancyMap() = default;
 
 MapChange OccupancyMap::insert(const PointCloud& cloud) {
-  MapChange change;
+  MapChange change = refusal(cloud.origin);
+  change.no_rays = cloud.points.empty() && cloud.misses.empty();
+  if (change.ignored()) return change;
   const octomap::point3d origin = toOctomap(cloud.origin);
-  if (!insideMap(*tree_, origin)) {
-    change.origin_outside_map = true;
-    return change;
-  }
   frame_->clear();
   for (const Point3f& point : cloud.points)
     if (!markRay(origin, point, RayEnd::kHit)) ++change.points_outside_map;
   for (const Point3f& point : cloud.misses)
     if (!markRay(origin, point, RayEnd::kMiss)) ++change.points_outside_map;
-  change.columns = tree_->integrate(frame_->settled());
+  change.columns = integrate(frame_->settled());
   return change;
 }
 
 MapChange OccupancyMap::insert(const RangeImage& image) {
   if (config_.mode == IntegrationMode::kReference) return insert(toPointCloud(image));
-  MapChange change;
-  if (!insideMap(*tree_, toOctomap(image.origin))) {
-    change.origin_outside_map = true;
-    return change;
-  }
-  change.points_outside_map = rays_->prepare(image, {config_.resolution_m, config_.max_range_m});
-  if (FrameCarver::blocksBetween(rays_->bounds()) > kMaxWindowBlocks) return insert(toPointCloud(image));
+  MapChange change = refusal(image.origin);
+  change.origin_outside_map |= !isFinite(image.T_map_camera);
+  change.no_rays = std::all_of(image.kinds.begin(), image.kinds.end(),
+                               [](RayEnd kind) { return kind == RayEnd::kNone; });
+  if (change.ignored()) return change;
+  const octomap::OcTreeNode* voxel = tree_->search(toOctomap(image.origin));
+  change.origin_occupied = voxel != nullptr && tree_->isNodeOccupied(voxel);
+  if (change.ignored()) return change;
+  change.points_outside_map =
+      rays_->prepare(image, {config_.resolution_m, config_.max_range_m}, *workers_);
+  if (FrameCarver::blocksBetween(rays_->bounds()) > kMaxWindowBlocks)
+    return insert(toPointCloud(image));
   const Carving carving =
       config_.mode == IntegrationMode::kExact ? Carving::kExact : Carving::kFast;
-  change.columns = tree_->integrate(carver_->carve(*rays_, image, *tree_, carving));
+  change.columns = integrate(carver_->carve(*rays_, image, *tree_, *settled_, carving, *workers_));
   return change;
+}
+
+/// Says why a frame from `origin` cannot be used, if so.
+MapChange OccupancyMap::refusal(const Point3f& origin) const {
+  MapChange change;
+  change.origin_outside_map = !insideMap(*tree_, toOctomap(origin));
+  change.memory_exhausted = static_cast<double>(treeBytes()) >= config_.max_memory_mb * kMebibyte;
+  return change;
+}
+
+std::size_t OccupancyMap::treeBytes() const {
+  return tree_->size() * kBytesPerNode + settled_->memoryBytes();
+}
+
+std::size_t OccupancyMap::memoryBytes() const {
+  return treeBytes() + tree_->columns().memoryBytes();
+}
+
+std::vector<Cell> OccupancyMap::integrate(const std::vector<VoxelBlock>& blocks) {
+  settled_->update(blocks);
+  return tree_->integrate(blocks);
 }
 
 /// @return false when the ray leaves the map or is none; nothing is marked then.
@@ -124,10 +163,9 @@ const octomap::OcTree& OccupancyMap::tree() const { return *tree_; }
 
 const VoxelColumns& OccupancyMap::columns() const { return tree_->columns(); }
 
-std::size_t OccupancyMap::memoryBytes() const {
-  return tree_->memoryUsage() + tree_->columns().memoryBytes();
+void OccupancyMap::reset() {
+  tree_->clear();
+  settled_->clear();
 }
-
-void OccupancyMap::reset() { tree_->clear(); }
 
 }  // namespace occusg

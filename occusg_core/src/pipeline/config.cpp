@@ -49,6 +49,21 @@ void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerC
   list.push_back(numberParameter(occupancy.max_probability, {0.5, 0.999},
                                  {"mapping.occupancy.max_probability", "",
                                   "A voxel is never held more occupied than this.", "0.97"}));
+  list.push_back(choiceParameter<IntegrationMode>(
+      occupancy.mode,
+      {{"reference", IntegrationMode::kReference},
+       {"exact", IntegrationMode::kExact},
+       {"fast", IntegrationMode::kFast}},
+      {"mapping.occupancy.mode", "",
+       "How free voxels are found: ray by ray, the same from the whole image, or without some at "
+       "its rim.",
+       "reference"}));
+  list.push_back(countParameter(occupancy.threads, {1, kMaxThreads},
+                                {"mapping.occupancy.threads", "",
+                                 "Threads that share a frame; the map does not depend on it."}));
+  list.push_back(numberParameter(
+      occupancy.max_memory_mb, {1.0, 1e6},
+      {"mapping.occupancy.max_memory_mb", "MiB", "A map this large takes no more frames."}));
 
   list.push_back(numberParameter(layer.min_free_gap_m, {0.01, 10.0},
                                  {"mapping.free_space.min_free_gap_m", "m",
@@ -71,13 +86,13 @@ void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerC
        "map"}));
 
   ColumnEvidenceConfig& evidence = layer.evidence;
+  list.push_back(
+      numberParameter(evidence.ceiling_height_m, {0.1, 100.0},
+                      {"mapping.evidence.ceiling_height_m", "m",
+                       "Evidence on a column is taken up to this height above the floor.", ""}));
   list.push_back(numberParameter(
-      evidence.ceiling_height_m, {0.1, 100.0},
-      {"mapping.evidence.ceiling_height_m", "m",
-       "Evidence on a column is taken up to this height above the floor.", ""}));
-  list.push_back(numberParameter(evidence.body_bottom_m, {0.0, 100.0},
-                                 {"mapping.evidence.body_bottom_m", "m",
-                                  "Lower end of the body band, above the floor.", ""}));
+      evidence.body_bottom_m, {0.0, 100.0},
+      {"mapping.evidence.body_bottom_m", "m", "Lower end of the body band, above the floor.", ""}));
   list.push_back(numberParameter(
       evidence.body_top_m, {0.01, 100.0},
       {"mapping.evidence.body_top_m", "m", "Upper end of the body band, above the floor.", ""}));

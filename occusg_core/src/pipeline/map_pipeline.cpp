@@ -26,22 +26,25 @@ MapPipeline::MapPipeline(const PipelineConfig& config)
       free_space_(config.free_space, GridFrame{config.occupancy.resolution_m}) {}
 
 const FreeSpace& MapPipeline::process(const DepthFrame& frame) {
-  const PointCloud cloud = timed(times_, Stage::kPointCloud, [&] {
-    return projector_.project(frame.depth, frame.camera, frame.T_map_camera);
+  const RangeImage& image = timed(times_, Stage::kPointCloud, [&]() -> const RangeImage& {
+    return projector_.projectLattice(frame.depth, frame.camera, frame.T_map_camera);
   });
   times_.setMemory(Stage::kPointCloud,
-                   (cloud.points.capacity() + cloud.misses.capacity()) * sizeof(Point3f));
+                   image.ends.capacity() * sizeof(Point3f) + image.kinds.capacity());
   const MapChange change =
-      timed(times_, Stage::kOccupancy, [&] { return occupancy_.insert(cloud); });
+      timed(times_, Stage::kOccupancy, [&] { return occupancy_.insert(image); });
   const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
     return free_space_.update(occupancy_, change);
   });
 
   ++counts_.frames;
-  counts_.points += cloud.points.size();
+  counts_.points += image.hits;
   counts_.points_outside_map += change.points_outside_map;
   counts_.frames_outside_map += change.origin_outside_map ? 1 : 0;
-  add(counts_.pixel_drops, cloud.drops);
+  counts_.frames_without_depth += change.no_rays ? 1 : 0;
+  counts_.frames_from_occupied += change.origin_occupied ? 1 : 0;
+  counts_.frames_without_memory += change.memory_exhausted ? 1 : 0;
+  add(counts_.pixel_drops, image.drops);
   return layer;
 }
 

@@ -16,8 +16,11 @@ namespace occusg {
 class FrameCarver;
 class FrameRays;
 class FrameVoxels;
+class SettledVoxels;
 class VoxelColumns;
 class VoxelTree;
+class Workers;
+struct VoxelBlock;
 
 /// How the voxels are found that a frame saw free.
 enum class IntegrationMode {
@@ -38,10 +41,14 @@ struct OccupancyMapConfig {
   double min_probability = 0.12;  ///< Lower clamp, (0, 0.5).
   double max_probability = 0.97;  ///< Upper clamp, (0.5, 1).
   IntegrationMode mode = IntegrationMode::kExact;
+  int threads = 1;  ///< That share a frame, [1, kMaxThreads]; results do not depend on it.
+  double max_memory_mb = 2048.0;  ///< The tree takes no more frames beyond it [MiB], positive.
 };
 
 /// Longest range, in voxels.
 inline constexpr double kMaxRangeVoxels = 30000.0;
+
+inline constexpr int kMaxThreads = 64;
 
 /// What one frame did to the map.
 struct MapChange {
@@ -49,6 +56,14 @@ struct MapChange {
   std::vector<Cell> columns;
   std::size_t points_outside_map = 0;  ///< Beyond OctoMap's 16-bit keys or not finite; ignored.
   bool origin_outside_map = false;     ///< The whole frame was ignored.
+  bool origin_occupied = false;        ///< So it was: the sensor stood in an occupied voxel.
+  bool no_rays = false;                ///< Nothing was measured.
+  bool memory_exhausted = false;  ///< The whole frame was ignored: the map has reached its limit.
+
+  /// Whether the frame reached the map at all.
+  [[nodiscard]] bool ignored() const {
+    return origin_outside_map || origin_occupied || no_rays || memory_exhausted;
+  }
 };
 
 /// The 3D occupancy map, an `octomap::OcTree` others can read (paper, Sec. 3.2).
@@ -72,19 +87,23 @@ class OccupancyMap {
   /// Integrates one frame. Linear in the voxels its rays pass.
   MapChange insert(const PointCloud& cloud);
   /// Integrates one frame that has its pixel lattice, which the modes other than `kReference` make
-  /// use of: linear in the surface of the space its rays pass.
+  /// use of: linear in the surface of the space its rays pass. They also ignore a frame from inside
+  /// an occupied voxel: the pose or the map is wrong there.
   MapChange insert(const RangeImage& image);
 
   [[nodiscard]] const octomap::OcTree& tree() const;
   /// The states of the tree's voxels by column, for the free-space layer.
   [[nodiscard]] const VoxelColumns& columns() const;
-  /// Memory of the tree and its columns, without what the allocator adds [bytes]. Visits every node.
+  /// What the map and its columns hold, the tree estimated from the number of its nodes [bytes].
   [[nodiscard]] std::size_t memoryBytes() const;
   [[nodiscard]] const OccupancyMapConfig& config() const { return config_; }
   /// Forgets everything.
   void reset();
 
  private:
+  [[nodiscard]] std::size_t treeBytes() const;
+  [[nodiscard]] MapChange refusal(const Point3f& origin) const;
+  [[nodiscard]] std::vector<Cell> integrate(const std::vector<VoxelBlock>& blocks);
   [[nodiscard]] bool markRay(const octomap::point3d& origin, const Point3f& end, RayEnd meaning);
 
   OccupancyMapConfig config_;
@@ -92,7 +111,9 @@ class OccupancyMap {
   std::unique_ptr<FrameVoxels> frame_;  ///< Reused between frames, as what follows.
   std::unique_ptr<FrameRays> rays_;
   std::unique_ptr<FrameCarver> carver_;
-  octomap::KeyRay ray_;                 ///< Reused between rays.
+  std::unique_ptr<SettledVoxels> settled_;
+  std::unique_ptr<Workers> workers_;
+  octomap::KeyRay ray_;  ///< Reused between rays.
 };
 
 }  // namespace occusg

@@ -19,6 +19,9 @@ struct MapCounts {
   PixelDrops pixel_drops;
   std::size_t points_outside_map = 0;
   std::size_t frames_outside_map = 0;
+  std::size_t frames_without_depth = 0;   ///< Not one pixel had a depth.
+  std::size_t frames_from_occupied = 0;   ///< The camera was in an occupied voxel.
+  std::size_t frames_without_memory = 0;  ///< The map had reached its limit.
 };
 
 /// Depth frames -> occupancy map and free space: the half of the pipeline that needs a camera.

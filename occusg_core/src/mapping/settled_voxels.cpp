@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping/settled_free.hpp"
+#include "mapping/settled_voxels.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace occusg {
@@ -23,10 +24,8 @@ std::uint64_t settledBelow(const octomap::OcTree& tree, const octomap::OcTreeNod
   return settled;
 }
 
-}  // namespace
-
-std::array<std::uint64_t, 8> settledFree(const octomap::OcTree& tree, std::uint64_t code) {
-  std::array<std::uint64_t, 8> settled{};
+SettledVoxels::Bits settledIn(const octomap::OcTree& tree, std::uint64_t code) {
+  SettledVoxels::Bits settled{};
   const octomap::OcTreeNode* node = tree.getRoot();
   if (node == nullptr) return settled;
   for (unsigned depth = 0; depth < kLevelsAboveBlocks && tree.nodeHasChildren(node); ++depth) {
@@ -42,6 +41,35 @@ std::array<std::uint64_t, 8> settledFree(const octomap::OcTree& tree, std::uint6
     if (tree.nodeChildExists(node, i))
       settled[i] = settledBelow(tree, tree.getNodeChild(node, i), 64);
   return settled;
+}
+
+}  // namespace
+
+SettledVoxels::Bits SettledVoxels::of(std::uint64_t code, const octomap::OcTree& tree) {
+  const auto found = blocks_.find(code);
+  if (found == blocks_.end()) return {};
+  Block& block = found->second;
+  if (block.updates >= block.patience) {
+    const Bits settled = settledIn(tree, code);
+    block.patience =
+        settled == block.free ? std::min(2 * block.patience, kLongestPatience) : kFirstPatience;
+    block.free = settled;
+    block.updates = 0;
+  }
+  return block.free;
+}
+
+void SettledVoxels::update(const std::vector<VoxelBlock>& blocks) {
+  for (const VoxelBlock& updated : blocks) {
+    Block& block = blocks_[updated.code];
+    ++block.updates;
+    for (std::size_t i = 0; i < block.free.size(); ++i) block.free[i] &= ~updated.occupied[i];
+  }
+}
+
+std::size_t SettledVoxels::memoryBytes() const {
+  constexpr std::size_t kNode = sizeof(std::uint64_t) + sizeof(Block) + sizeof(void*);
+  return blocks_.size() * kNode + blocks_.bucket_count() * sizeof(void*);
 }
 
 }  // namespace occusg

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace occusg {
+
+/// Threads that share the tasks of one call at a time. What a task does must not depend on which
+/// thread takes it.
+class Workers {
+ public:
+  /// @param threads the calling one included; 1 makes none.
+  explicit Workers(int threads);
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  Workers(Workers&&) = delete;
+  Workers& operator=(Workers&&) = delete;
+  ~Workers();
+
+  [[nodiscard]] int threads() const { return static_cast<int>(threads_.size()) + 1; }
+  /// Calls `task` with 0 .. count - 1 and returns when all are done. Tasks must not throw.
+  void run(int count, const std::function<void(int)>& task);
+
+ private:
+  void serve();
+  void takeTasks();
+
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;
+  std::condition_variable started_;
+  std::condition_variable finished_;
+  const std::function<void(int)>* task_ = nullptr;
+  int count_ = 0;
+  std::atomic<int> next_{0};
+  unsigned round_ = 0;  ///< Of the call at hand.
+  int busy_ = 0;        ///< Threads that have not finished it.
+  bool closing_ = false;
+};
+
+}  // namespace occusg
