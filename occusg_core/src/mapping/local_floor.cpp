@@ -84,9 +84,12 @@ std::int16_t LocalFloor::ownFloor(const Cell& tile) {
 std::int16_t LocalFloor::localFloor(const Cell& tile) const {
   const CellBox around = CellBox{tile, {tile.x + 1, tile.y + 1}}.grown(reach_tiles_);
   const auto forEachFloor = [&](auto&& visit) {
-    for (int y = around.min.y; y < around.max.y; ++y)
-      for (int x = around.min.x; x < around.max.x; ++x)
-        if (const std::int16_t own = tiles_.at({x, y}).own; own != kNoFloor) visit(own);
+    for (int y = around.min.y; y < around.max.y; ++y) {
+      for (int x = around.min.x; x < around.max.x; ++x) {
+        const std::int16_t own = tiles_.at({x, y}).own;
+        if (own != kNoFloor) visit(own);
+      }
+    }
   };
   std::int16_t reference = tiles_.at(tile).own;
   if (reference == kNoFloor)

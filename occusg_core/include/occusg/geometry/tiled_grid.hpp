@@ -64,8 +64,9 @@ class TiledGrid {
   }
   static Cell tileOf(const Cell& cell) { return {floorOfTile(cell.x), floorOfTile(cell.y)}; }
   static std::size_t placeOf(const Cell& cell, const Cell& tile) {
-    return static_cast<std::size_t>((cell.y - tile.y * kTileSide_cells) * kTileSide_cells +
-                                    (cell.x - tile.x * kTileSide_cells));
+    const int y = cell.y - tile.y * kTileSide_cells;
+    const int x = cell.x - tile.x * kTileSide_cells;
+    return static_cast<std::size_t>(y) * kTileSide_cells + static_cast<std::size_t>(x);
   }
 
   /// True when `other` has the values of every touched tile.
