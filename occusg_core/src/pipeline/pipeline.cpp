@@ -26,11 +26,20 @@ void add(PixelDrops& sum, const PixelDrops& drops) {
   sum.too_far += drops.too_far;
 }
 
+void add(RefusedMasks& sum, const RefusedMasks& refused) {
+  for (std::size_t i = 0; i < kMaskRefusalCount; ++i) {
+    const auto reason = static_cast<MaskRefusal>(i);
+    sum.add(
+        reason, [&] { return refused.first(reason); }, refused.count(reason));
+  }
+}
+
 }  // namespace
 
 Pipeline::Pipeline(const PipelineConfig& config)
     : config_(checked(config)),
       projector_(config.depth),
+      detection_builder_(config.detection),
       occupancy_(config.occupancy),
       free_space_(config.free_space, GridFrame{config.occupancy.resolution_m}),
       decomposer_(makeDecomposer(config)),
@@ -38,6 +47,16 @@ Pipeline::Pipeline(const PipelineConfig& config)
       graph_(config.graph) {}
 
 void Pipeline::process(const DepthFrame& frame) {
+  checkStamp(frame);
+  takeIn(frame, {});
+}
+
+void Pipeline::process(const DepthFrame& frame, const InstanceMasks& masks) {
+  checkStamp(frame);
+  takeIn(frame, detection_builder_.build(masks, frame));
+}
+
+void Pipeline::checkStamp(const DepthFrame& frame) const {
   if (!std::isfinite(frame.stamp_s))
     throw refuse("frame", "its stamp is not a number", "seconds are needed");
   if (last_stamp_s_ && frame.stamp_s <= *last_stamp_s_) {
@@ -46,10 +65,14 @@ void Pipeline::process(const DepthFrame& frame) {
                      shortestText(*last_stamp_s_) + " s",
                  "frames must come in order of time");
   }
+}
+
+void Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& objects) {
   timed(times_, Stage::kTotal, [&] {
     map(frame);
     last_stamp_s_ = frame.stamp_s;
     last_pose_ = frame.T_map_camera;
+    graph_.observeObjects(objects.detections, frame.stamp_s);
     if (regionsAreDue(frame.stamp_s)) {
       updateRegions(frame.T_map_camera, frame.stamp_s);
     } else {
@@ -57,13 +80,19 @@ void Pipeline::process(const DepthFrame& frame) {
     }
     return true;
   });
+  add(counts_.refused_masks, objects.refused);
+  counts_.objects = graph_.objectCounts();
+}
+
+MapView Pipeline::mapView(const CellBox& changed) const {
+  return {&free_space_.freeSpace(), changed, &occupancy_.tree(), config_.occupancy.max_range_m};
 }
 
 void Pipeline::finish() {
   if (!last_stamp_s_) return;
   if (last_region_stamp_s_ != last_stamp_s_) updateRegions(last_pose_, *last_stamp_s_);
   timed(times_, Stage::kGraph,
-        [&]() -> const SceneGraph& { return graph_.finish(*last_stamp_s_); });
+        [&]() -> const SceneGraph& { return graph_.finish(*last_stamp_s_, mapView({})); });
 }
 
 void Pipeline::map(const DepthFrame& frame) {
@@ -94,12 +123,13 @@ void Pipeline::updateRegions(const Pose& T_map_camera, double stamp_s) {
       timed(times_, Stage::kDecomposition, [&]() -> const Decomposition& {
         return decomposer_->update(free_space_.freeSpace(), changed_since_regions_);
       });
-  changed_since_regions_ = {};
+  const CellBox changed = std::exchange(changed_since_regions_, {});
   const TrackedRegions& tracked = timed(times_, Stage::kTracking, [&]() -> const TrackedRegions& {
     return tracker_.update(decomposition);
   });
-  timed(times_, Stage::kGraph,
-        [&]() -> const SceneGraph& { return graph_.update(tracked, T_map_camera, stamp_s); });
+  timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
+    return graph_.update(tracked, T_map_camera, stamp_s, mapView(changed));
+  });
   last_region_stamp_s_ = stamp_s;
   ++counts_.region_updates;
   counts_.rejected_region_updates += tracked.stale ? 1 : 0;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/room_adjacency.hpp"
 
 #include <gtest/gtest.h>
 

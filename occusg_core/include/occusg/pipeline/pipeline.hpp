@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "occusg/graph/graph_builder.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/depth_projector.hpp"
+#include "occusg/perception/detection_builder.hpp"
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/stage_times.hpp"
 #include "occusg/regions/decomposer.hpp"
@@ -26,6 +28,8 @@ struct PipelineCounts {
   std::size_t frames_outside_map = 0;
   std::size_t region_updates = 0;
   std::size_t rejected_region_updates = 0;  ///< By the acceptance guard.
+  RefusedMasks refused_masks;               ///< Instances that gave no detection.
+  ObjectCounts objects;
 };
 
 /// Composes the stages; the only place that knows them all. Logical time: it is driven by the
@@ -40,6 +44,13 @@ class Pipeline {
   /// @throws Error when the frame cannot be used or is not younger than the one before; the state
   /// is then as before the call.
   void process(const DepthFrame& frame);
+  /// The same with the objects seen in an image of the same view; they join the scene graph.
+  /// @throws Error as above, or when the masks' image does not fit the depth image.
+  void process(const DepthFrame& frame, const InstanceMasks& masks);
+
+  /// Gives a room a label that stays; an empty one returns to the automatic label.
+  /// @throws Error when there is no such room or the label cannot be one.
+  void setRoomLabel(NodeId room, const std::string& label) { graph_.setRoomLabel(room, label); }
 
   /// Brings regions and rooms up to date with the last frame. Call once, at the end.
   void finish();
@@ -54,12 +65,16 @@ class Pipeline {
   [[nodiscard]] StageTimes times() const;
 
  private:
+  void checkStamp(const DepthFrame& frame) const;
+  void takeIn(const DepthFrame& frame, const DetectionResult& objects);
+  [[nodiscard]] MapView mapView(const CellBox& changed) const;
   void map(const DepthFrame& frame);
   void updateRegions(const Pose& T_map_camera, double stamp_s);
   [[nodiscard]] bool regionsAreDue(double stamp_s) const;
 
   PipelineConfig config_;
   DepthProjector projector_;
+  DetectionBuilder detection_builder_;
   OccupancyMap occupancy_;
   FreeSpaceLayer free_space_;
   std::unique_ptr<Decomposer> decomposer_;
