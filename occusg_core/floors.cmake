@@ -80,6 +80,7 @@ occusg_add_floor(graph
     region_snapshot.cpp
     relinking.cpp
     room_completeness.cpp
+    room_history.cpp
     room_labels.cpp
     room_layer.cpp
     scene_graph.cpp
@@ -136,6 +137,7 @@ occusg_add_floor(pipeline
     parameter.cpp
     pipeline.cpp
     results.cpp
+    room_labels_file.cpp
     stage_times.cpp
   USES geometry perception mapping regions graph io
   LIBRARIES yaml-cpp)

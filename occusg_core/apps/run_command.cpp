@@ -12,6 +12,7 @@
 #include "occusg/io/sequence_reader.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
+#include "occusg/pipeline/room_labels_file.hpp"
 #include "progress_bar.hpp"
 #include "room_table.hpp"
 
@@ -59,12 +60,16 @@ po::options_description options() {
       "decomposer", po::value<std::string>(), "overrides regions.decomposer")(
       "model", po::value<std::string>(), "ONNX segmentation model of the YOLO family")(
       "classes", po::value<std::string>(), "the model's class names, one a line")(
+      "room-labels", po::value<std::string>(),
+      "table of what speaks for a kind of room (see config/room_labels.yaml)")(
       "strict", "fail on the first frame that cannot be used");
   return options;
 }
 
 PipelineConfig configFrom(const po::variables_map& values) {
-  const PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  if (values.count("room-labels") > 0)
+    config.graph.room_labels = readRoomLabels(values["room-labels"].as<std::string>());
   if (values.count("decomposer") == 0) return config;
   return configFromYaml("regions.decomposer: " + values["decomposer"].as<std::string>() + "\n",
                         "--decomposer", config);
@@ -131,7 +136,7 @@ void printCounts(const PipelineCounts& counts) {
             << " too near, " << drops.too_far << " too far, "
             << drops.nan + drops.infinite + drops.negative << " not a depth\n  "
             << counts.region_updates << " region updates, " << counts.rejected_region_updates
-            << " rejected\n";
+            << " rejected; " << counts.room_id_switches << " room id switches\n";
   if (counts.objects.detections + counts.refused_masks.total() > 0) {
     std::cout << "  " << counts.objects.detections << " detections, "
               << counts.refused_masks.total() + counts.objects.refused + counts.objects.over_limit

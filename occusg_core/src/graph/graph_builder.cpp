@@ -55,6 +55,7 @@ const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Po
   links_.update(graph_);
   if (map != nullptr) completeness_.update(graph_, *map->layer, map->changed);
   labeler_.update(graph_);
+  history_.update(graph_);
   return graph_;
 }
 
@@ -91,6 +92,7 @@ void GraphBuilder::maintainFinally(double stamp_s, const MapView* map) {
   links_.update(graph_);
   if (map != nullptr) completeness_.update(graph_, *map->layer, map->changed);
   labeler_.update(graph_);
+  history_.update(graph_);
 }
 
 void GraphBuilder::reset() { *this = GraphBuilder(config_); }

@@ -181,7 +181,7 @@ void drawLegend(Canvas& canvas, const OverviewContent& content) {
   }
   if (!content.objects.empty()) legend.swatch(kWhite, kObjectColor, "object");
   if (!content.trajectory.empty()) {
-    legend.sign(53.0, "path, start to end", [&](const cv::Point2d& at) {
+    legend.sign(53.0, "path", [&](const cv::Point2d& at) {
       canvas.drawLine({at.x + 7.0, at.y}, {at.x + 42.0, at.y}, kPathColor, kPathWidth_px);
       drawStart(canvas, {at.x + 7.0, at.y});
       drawArrowHead(canvas, {at.x + 52.0, at.y}, {1.0, 0.0});

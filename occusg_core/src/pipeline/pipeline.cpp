@@ -82,6 +82,7 @@ void Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& objects) {
   });
   add(counts_.refused_masks, objects.refused);
   counts_.objects = graph_.objectCounts();
+  counts_.room_id_switches = graph_.roomIdSwitches();
 }
 
 MapView Pipeline::mapView(const CellBox& changed) const {

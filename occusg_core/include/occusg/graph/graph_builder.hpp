@@ -12,6 +12,7 @@
 #include "occusg/graph/navigation_layer.hpp"
 #include "occusg/graph/object_layer.hpp"
 #include "occusg/graph/room_completeness.hpp"
+#include "occusg/graph/room_history.hpp"
 #include "occusg/graph/room_labels.hpp"
 #include "occusg/graph/room_layer.hpp"
 #include "occusg/graph/scene_graph.hpp"
@@ -80,6 +81,8 @@ class GraphBuilder {
   [[nodiscard]] std::optional<NodeId> currentRoom() const { return rooms_.currentRoom(); }
   [[nodiscard]] std::size_t posesBackInTime() const { return agents_.posesBackInTime(); }
   [[nodiscard]] const ObjectCounts& objectCounts() const { return objects_.counts(); }
+  /// How often a confirmed room lost its id to another.
+  [[nodiscard]] std::size_t roomIdSwitches() const { return history_.idSwitches(); }
   [[nodiscard]] std::size_t updatesBackInTime() const { return updates_back_in_time_; }
 
   /// Forgets everything, ids included.
@@ -99,6 +102,7 @@ class GraphBuilder {
   FreeSpaceLinks links_;
   RoomCompleteness completeness_;
   RoomLabeler labeler_;
+  RoomHistory history_;
   std::optional<double> last_update_s_;
   double last_maintenance_s_ = 0.0;  ///< Once there was an update: the first counts as one.
   std::size_t updates_back_in_time_ = 0;

@@ -30,6 +30,7 @@ struct PipelineCounts {
   std::size_t rejected_region_updates = 0;  ///< By the acceptance guard.
   RefusedMasks refused_masks;               ///< Instances that gave no detection.
   ObjectCounts objects;
+  std::size_t room_id_switches = 0;  ///< Confirmed rooms that lost their id to another.
 };
 
 /// Composes the stages; the only place that knows them all. Logical time: it is driven by the
