@@ -72,15 +72,27 @@ occusg_add_floor(regions
 
 occusg_add_floor(graph
   SOURCES
+    adjacency_layer.cpp
     agent_layer.cpp
     change_log.cpp
+    class_key.cpp
+    door_layer.cpp
     entity_assignment.cpp
+    free_space_links.cpp
+    ghost_check.cpp
     graph_builder.cpp
+    graph_query.cpp
     interior_point.cpp
+    navigation_block.cpp
+    navigation_layer.cpp
     node_table.cpp
+    object_layer.cpp
+    region_joins.cpp
     region_snapshot.cpp
     relinking.cpp
-    room_adjacency.cpp
+    room_completeness.cpp
+    room_history.cpp
+    room_labels.cpp
     room_layer.cpp
     scene_graph.cpp
     spatial_index.cpp
@@ -100,7 +112,9 @@ occusg_add_floor(io
     map_files.cpp
     map_reader.cpp
     map_yaml.cpp
+    object_labels.cpp
     output_folder.cpp
+    overview_graph.cpp
     overview_labels.cpp
     overview_picture.cpp
     overview_view.cpp
@@ -135,6 +149,7 @@ occusg_add_floor(pipeline
     parameter.cpp
     pipeline.cpp
     results.cpp
+    room_labels_file.cpp
     room_pipeline.cpp
     stage_times.cpp
   USES geometry perception mapping regions graph io

@@ -2,10 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds Release and runs a benchmark; the last line is one JSON object of medians.
 # Usage: scripts/bench.sh decomposition [MAPS]   MAPS: folder of 2D maps, left out when not given
+#        scripts/bench.sh graph                  one update of scene graphs of 10 to 1000 rooms
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+if [ "${1:-}" = graph ] && [ $# -eq 1 ]; then
+  "$root/scripts/install_dependencies.sh" --for-development >&2
+  mkdir -p "$root/build"
+  "$root/scripts/build.sh" > "$root/build/bench.log" 2>&1 || {
+    tail -n 40 "$root/build/bench.log" >&2
+    exit 1
+  }
+  exec "$root/build/release/benchmarks/graph_benchmark"
+fi
 if [ "${1:-}" != decomposition ] || [ $# -gt 2 ]; then
-  echo "usage: scripts/bench.sh decomposition [MAPS]" >&2
+  echo "usage: scripts/bench.sh decomposition [MAPS] | graph" >&2
   exit 2
 fi
 maps=${2:+$(cd "$2" && pwd)}

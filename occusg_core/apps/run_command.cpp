@@ -6,11 +6,13 @@
 
 #include "command_line.hpp"
 #include "interrupt.hpp"
+#include "mask_source.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/sequence_reader.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
+#include "occusg/pipeline/room_labels_file.hpp"
 #include "progress_bar.hpp"
 #include "room_table.hpp"
 
@@ -26,6 +28,7 @@ enum class BadFrames { kSkip, kFail };
 struct RunOutcome {
   std::size_t frames_read = 0;
   std::vector<std::string> bad_frames;  ///< One sentence each.
+  std::vector<std::string> bad_masks;   ///< Of frames whose objects could not be found.
   bool interrupted = false;
 };
 
@@ -36,7 +39,9 @@ CommandHelp help() {
       "SEQUENCE is a folder in the TUM RGB-D layout: depth.txt, groundtruth.txt (timestamp tx ty\n"
       "tz qx qy qz qw, camera optical frame in the world), 16-bit depth PNGs, and camera.json "
       "with\n"
-      "width, height, fx, fy, cx, cy, depth_scale.\n\n"
+      "width, height, fx, fy, cx, cy, depth_scale. Objects come from labels/ (16-bit object ids,\n"
+      "named by \"objects\" of rooms.json), or from a segmentation model run on the colour images\n"
+      "of rgb.txt (--model, --classes).\n\n"
       "OUT receives rooms.json, scene_graph.json, scene_graph.dsg.json, rooms.geojson,\n"
       "free_space.pgm and .yaml, overview.png and timing.json. A frame that cannot be used is\n"
       "skipped and reported; more than half of them fail the run. Ctrl-C ends the run early and\n"
@@ -53,18 +58,49 @@ po::options_description options() {
       "config", po::value<std::string>()->default_value("default"),
       "'default', 'paper' or a YAML file (see 'occusg config --print')")(
       "decomposer", po::value<std::string>(), "overrides regions.decomposer")(
+      "model", po::value<std::string>(), "ONNX segmentation model of the YOLO family")(
+      "classes", po::value<std::string>(), "the model's class names, one a line")(
+      "room-labels", po::value<std::string>(),
+      "table of what speaks for a kind of room (see config/room_labels.yaml)")(
       "strict", "fail on the first frame that cannot be used");
   return options;
 }
 
 PipelineConfig configFrom(const po::variables_map& values) {
-  const PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  if (values.count("room-labels") > 0)
+    config.graph.room_labels = readRoomLabels(values["room-labels"].as<std::string>());
   if (values.count("decomposer") == 0) return config;
   return configFromYaml("regions.decomposer: " + values["decomposer"].as<std::string>() + "\n",
                         "--decomposer", config);
 }
 
-RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFrames bad_frames) {
+MaskSource masksFor(const SequenceReader& sequence, const po::variables_map& values) {
+  const bool has_model = values.count("model") > 0;
+  if (has_model != (values.count("classes") > 0)) {
+    throw refuse(has_model ? "--model" : "--classes", "stands alone",
+                 "a model and its class names go together");
+  }
+  if (!has_model) return MaskSource(sequence);
+  return MaskSource(values["model"].as<std::string>(), values["classes"].as<std::string>());
+}
+
+/// A frame whose objects cannot be found still maps.
+InstanceMasks masksOf(const Frame& frame, MaskSource& source, BadFrames bad_frames,
+                      RunOutcome& outcome) {
+  try {
+    return source.masksOf(frame);
+  } catch (const Error& error) {
+    if (bad_frames == BadFrames::kFail) throw;
+    outcome.bad_masks.emplace_back(error.what());
+  }
+  InstanceMasks none;
+  none.image_size = frame.depth.pixels.size();
+  return none;
+}
+
+RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeline& pipeline,
+                      BadFrames bad_frames) {
   RunOutcome outcome;
   ProgressBar progress(sequence.scene(), sequence.size());
   for (std::size_t i = 0; i < sequence.size(); ++i) {
@@ -72,7 +108,8 @@ RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFra
     if (outcome.interrupted) break;
     ++outcome.frames_read;
     try {
-      pipeline.process(sequence.read(i));
+      const Frame frame = sequence.read(i);
+      pipeline.process(frame, masksOf(frame, source, bad_frames, outcome));
     } catch (const Error& error) {
       if (bad_frames == BadFrames::kFail) throw;
       outcome.bad_frames.emplace_back(error.what());
@@ -99,7 +136,13 @@ void printCounts(const PipelineCounts& counts) {
             << " too near, " << drops.too_far << " too far, "
             << drops.nan + drops.infinite + drops.negative << " not a depth\n  "
             << counts.region_updates << " region updates, " << counts.rejected_region_updates
-            << " rejected\n";
+            << " rejected; " << counts.room_id_switches << " room id switches\n";
+  if (counts.objects.detections + counts.refused_masks.total() > 0) {
+    std::cout << "  " << counts.objects.detections << " detections, "
+              << counts.refused_masks.total() + counts.objects.refused + counts.objects.over_limit
+              << " refused; " << counts.objects.merged << " objects merged, "
+              << counts.objects.ghosts << " removed as ghosts\n";
+  }
   if (counts.points_outside_map > 0)
     std::cout << "  " << counts.points_outside_map
               << " points ignored: they lie beyond the 32 768 voxels an OctoMap reaches from its "
@@ -116,16 +159,22 @@ void printCounts(const PipelineCounts& counts) {
               << " frames not mapped: the map has reached mapping.occupancy.max_memory_mb\n";
 }
 
+void reportSkipped(const std::vector<std::string>& sentences, const std::string& what) {
+  if (sentences.empty()) return;
+  std::cerr << "occusg: skipped " << what << '\n';
+  for (std::size_t i = 0; i < std::min(kShownBadFrames, sentences.size()); ++i)
+    std::cerr << "  " << sentences[i] << '\n';
+  if (sentences.size() > kShownBadFrames)
+    std::cerr << "  ... and " << sentences.size() - kShownBadFrames << " more\n";
+}
+
 void reportBadInput(const SequenceReader& sequence, const RunOutcome& outcome) {
   for (const std::string& line : sequence.unusableLines())
     std::cerr << "occusg: skipped: " << line << '\n';
-  if (outcome.bad_frames.empty()) return;
-  std::cerr << "occusg: skipped " << outcome.bad_frames.size() << " of " << outcome.frames_read
-            << " frames\n";
-  for (std::size_t i = 0; i < std::min(kShownBadFrames, outcome.bad_frames.size()); ++i)
-    std::cerr << "  " << outcome.bad_frames[i] << '\n';
-  if (outcome.bad_frames.size() > kShownBadFrames)
-    std::cerr << "  ... and " << outcome.bad_frames.size() - kShownBadFrames << " more\n";
+  const std::string of_all = " of " + std::to_string(outcome.frames_read) + " frames";
+  reportSkipped(outcome.bad_frames, std::to_string(outcome.bad_frames.size()) + of_all);
+  reportSkipped(outcome.bad_masks,
+                "the objects in " + std::to_string(outcome.bad_masks.size()) + of_all);
 }
 
 }  // namespace
@@ -138,9 +187,10 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
   const OutputFolder folder(values["output"].as<std::string>());
   Pipeline pipeline(config);
+  MaskSource source = masksFor(sequence, values);
   catchInterrupts();
   const RunOutcome outcome = processAll(
-      sequence, pipeline, values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip);
+      sequence, source, pipeline, values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip);
   failWhenMostFramesAreBad(outcome, sequence.scene());
 
   StageTimes times = pipeline.times();

@@ -71,6 +71,10 @@ touch a_file
 expect "output that is a file" 1 "a_file" run short -o a_file
 expect "output below a file" 1 "a_file" run short -o a_file/below
 
+expect "a model without class names" 1 "--model: stands alone" run short -o out --model model.onnx
+printf 'den\n  sofa\n' > labels.yaml
+expect "a table of labels that is none" 1 "labels.yaml:1" run short -o out --room-labels labels.yaml
+
 # --- Bad frames: skipped and counted, fatal when asked for or when they are most
 short_recording spoilt 12
 sed -i '5s/.*/not-a-time depth\/000003.png/' spoilt/depth.txt

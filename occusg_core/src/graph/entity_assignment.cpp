@@ -15,9 +15,13 @@ constexpr NodeType kEntityTypes[] = {NodeType::kAgent, NodeType::kObject, NodeTy
 // Lets a point at exactly the tolerance in, and tells the inside from the boundary.
 constexpr double kRoundingM = 1e-9;
 
-bool isWithin(const Bounds2& bounds, const Point2& point, double margin_m) {
-  return point.x >= bounds.min.x - margin_m && point.x <= bounds.max.x + margin_m &&
-         point.y >= bounds.min.y - margin_m && point.y <= bounds.max.y + margin_m;
+Bounds2 grown(const Bounds2& bounds, double margin_m) {
+  return {{bounds.min.x - margin_m, bounds.min.y - margin_m},
+          {bounds.max.x + margin_m, bounds.max.y + margin_m}};
+}
+
+bool isEntity(NodeId id) {
+  return id >= firstId(NodeType::kAgent) && id < firstId(NodeType::kRoom);
 }
 
 /// What decides between regions, in this order, smallest first: the innermost; the one before;
@@ -40,13 +44,12 @@ std::optional<int> regionAt(const RegionSnapshot& snapshot, const Point2& point,
   const double reach_m = tolerance_m + kRoundingM;
   std::vector<const Region*> near;
   std::vector<const Region*> around;
-  for (const auto& [id, support] : snapshot.regions()) {
-    if (!isWithin(support.bounds, point, reach_m)) continue;
-    const Polygon& polygon = support.region.polygon;
-    if (contains(polygon, point)) {
-      around.push_back(&support.region);
-    } else if (boundaryDistance(polygon, point) <= reach_m) {
-      near.push_back(&support.region);
+  for (const int id : snapshot.touching(grown({point, point}, reach_m))) {
+    const Region& region = snapshot.regions().at(id).region;
+    if (contains(region.polygon, point)) {
+      around.push_back(&region);
+    } else if (boundaryDistance(region.polygon, point) <= reach_m) {
+      near.push_back(&region);
     }
   }
   const bool is_inside = !around.empty();
@@ -65,38 +68,80 @@ EntityAssignment::EntityAssignment(double boundary_tolerance_m)
 
 void EntityAssignment::update(const SceneGraph& graph, const RegionSnapshot& snapshot) {
   resolved_count_ = 0;
-  const auto isNearChange = [&](const Point2& point) {
-    const auto& changes = snapshot.changes();
-    return std::any_of(changes.begin(), changes.end(), [&](const Bounds2& bounds) {
-      return isWithin(bounds, point, tolerance_m_ + kRoundingM);
-    });
-  };
-  // Nodes and entries are both in the order of ids: one pass over the two.
-  std::swap(entries_, previous_);
-  entries_.clear();
-  auto old = previous_.cbegin();
-  for (const NodeType type : kEntityTypes) {
-    for (const auto& [id, node] : graph.nodes(type)) {
-      while (old != previous_.cend() && old->entity < id) ++old;
-      const bool is_known = old != previous_.cend() && old->entity == id;
-      const Point2 position = node.groundPosition();
-      if (is_known && old->position == position && !isNearChange(position)) {
-        entries_.push_back(*old);
-        continue;
-      }
-      const std::optional<int> before = is_known ? old->region : std::nullopt;
-      entries_.push_back({id, position, regionAt(snapshot, position, tolerance_m_, before)});
-      ++resolved_count_;
+  reassigned_.clear();
+  const GraphChanges changes = graph.changesSince(revision_);
+  std::set<NodeId> entities = affected(graph, snapshot);
+  if (changes.complete) {
+    for (const NodeId id : changes.removed_nodes) forget(id);
+    for (const NodeId id : changes.added_nodes)
+      if (isEntity(id)) entities.insert(id);
+    for (const NodeId id : changes.changed_nodes) {
+      if (!isEntity(id)) continue;
+      const auto known = entries_.find(id);
+      if (known == entries_.end() || known->second.position != graph.at(id).groundPosition())
+        entities.insert(id);
     }
+  } else {
+    forgetMissing(graph);
+    for (const NodeType type : kEntityTypes)
+      for (const auto& [id, node] : graph.nodes(type)) entities.insert(id);
   }
+  revision_ = graph.revision();
+  for (const NodeId id : entities) resolve(graph.at(id), snapshot);
+}
+
+std::set<NodeId> EntityAssignment::affected(const SceneGraph& graph,
+                                            const RegionSnapshot& snapshot) const {
+  std::set<NodeId> entities;
+  for (const Bounds2& bounds : snapshot.changes()) {
+    const Bounds2 reach = grown(bounds, tolerance_m_ + kRoundingM);
+    for (const NodeType type : kEntityTypes)
+      for (const NodeId id : graph.inBox(type, reach)) entities.insert(id);
+  }
+  return entities;
+}
+
+void EntityAssignment::resolve(const Node& entity, const RegionSnapshot& snapshot) {
+  ++resolved_count_;
+  const auto [item, is_new] = entries_.try_emplace(entity.id);
+  Entry& entry = item->second;
+  const std::optional<int> before = entry.region;
+  entry.position = entity.groundPosition();
+  entry.region = regionAt(snapshot, entry.position, tolerance_m_, before);
+  if (!is_new && entry.region == before) return;
+  reassigned_.push_back(entity.id);
+  if (before) entities_of_region_[*before].erase(entity.id);
+  if (entry.region) entities_of_region_[*entry.region].insert(entity.id);
+  if (before && entities_of_region_[*before].empty()) entities_of_region_.erase(*before);
+}
+
+void EntityAssignment::forget(NodeId entity) {
+  const auto entry = entries_.find(entity);
+  if (entry == entries_.end()) return;
+  if (entry->second.region) {
+    const auto held = entities_of_region_.find(*entry->second.region);
+    held->second.erase(entity);
+    if (held->second.empty()) entities_of_region_.erase(held);
+  }
+  entries_.erase(entry);
+}
+
+void EntityAssignment::forgetMissing(const SceneGraph& graph) {
+  std::vector<NodeId> missing;
+  for (const auto& [id, entry] : entries_)
+    if (graph.find(id) == nullptr) missing.push_back(id);
+  for (const NodeId id : missing) forget(id);
 }
 
 std::optional<int> EntityAssignment::regionOf(NodeId entity) const {
-  const auto found =
-      std::lower_bound(entries_.begin(), entries_.end(), entity,
-                       [](const Entry& entry, NodeId id) { return entry.entity < id; });
-  if (found == entries_.end() || found->entity != entity) return std::nullopt;
-  return found->region;
+  const auto entry = entries_.find(entity);
+  return entry == entries_.end() ? std::nullopt : entry->second.region;
+}
+
+const std::set<NodeId>& EntityAssignment::entitiesOf(int region) const {
+  static const std::set<NodeId> none;
+  const auto held = entities_of_region_.find(region);
+  return held == entities_of_region_.end() ? none : held->second;
 }
 
 }  // namespace occusg

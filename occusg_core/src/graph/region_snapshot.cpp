@@ -25,10 +25,20 @@ RegionSnapshot::Support supportFrom(const Region& region) {
   return support;
 }
 
+RegionPair pairOf(const Crossing& crossing) { return {crossing.region_a, crossing.region_b}; }
+
+bool isBefore(const Crossing& a, const Crossing& b) { return pairOf(a) < pairOf(b); }
+
+bool isSame(const Crossing& a, const Crossing& b) {
+  return pairOf(a) == pairOf(b) && a.segment.a == b.segment.a && a.segment.b == b.segment.b;
+}
+
 }  // namespace
 
 void RegionSnapshot::update(const TrackedRegions& tracked) {
   changes_.clear();
+  changed_regions_.clear();
+  changed_contacts_.clear();
   const std::vector<Region>& regions = tracked.decomposition.regions;
   if (!tracked.stale && std::any_of(regions.begin(), regions.end(), isUsable)) {
     adopt(tracked);
@@ -39,25 +49,80 @@ void RegionSnapshot::update(const TrackedRegions& tracked) {
 }
 
 void RegionSnapshot::adopt(const TrackedRegions& tracked) {
-  crossings_ = tracked.decomposition.crossings;
+  ++update_;
   missed_ = {tracked.missed.begin(), tracked.missed.end()};
-  std::map<int, Support> adopted;
-  for (const Region& region : tracked.decomposition.regions) {
-    if (!isUsable(region)) {
-      // Its track lives, so its room must.
-      missed_.insert(region.id);
-      continue;
-    }
-    auto known = regions_.extract(region.id);
-    if (!known.empty() && sameRings(known.mapped().region.polygon, region.polygon)) {
-      adopted.insert(std::move(known));
-      continue;
-    }
-    if (!known.empty()) changes_.push_back(known.mapped().bounds);
-    changes_.push_back(adopted.emplace(region.id, supportFrom(region)).first->second.bounds);
+  for (const Region& region : tracked.decomposition.regions) adoptRegion(region);
+  dropRegionsNotIn(update_);
+  std::sort(changed_regions_.begin(), changed_regions_.end());
+  adoptCrossings(tracked.decomposition.crossings);
+}
+
+void RegionSnapshot::adoptRegion(const Region& region) {
+  const auto known = regions_.find(region.id);
+  if (known != regions_.end() && sameRings(known->second.region.polygon, region.polygon)) {
+    known->second.update = update_;
+    return;
   }
-  for (const auto& [id, gone] : regions_) changes_.push_back(gone.bounds);
-  regions_ = std::move(adopted);
+  if (!isUsable(region)) {
+    // Its track lives, so its room must.
+    missed_.insert(region.id);
+    return;
+  }
+  Support support = supportFrom(region);
+  support.update = update_;
+  changed_regions_.push_back(region.id);
+  if (known != regions_.end()) {
+    changes_.push_back(known->second.bounds);
+    index_.erase(region.id, known->second.bounds);
+  }
+  changes_.push_back(support.bounds);
+  index_.insert(region.id, support.bounds);
+  regions_.insert_or_assign(region.id, std::move(support));
+}
+
+void RegionSnapshot::dropRegionsNotIn(std::uint64_t update) {
+  for (auto item = regions_.begin(); item != regions_.end();) {
+    if (item->second.update == update) {
+      ++item;
+      continue;
+    }
+    changed_regions_.push_back(item->first);
+    changes_.push_back(item->second.bounds);
+    index_.erase(item->first, item->second.bounds);
+    item = regions_.erase(item);
+  }
+}
+
+void RegionSnapshot::adoptCrossings(std::vector<Crossing> crossings) {
+  std::stable_sort(crossings.begin(), crossings.end(), isBefore);
+  auto old = crossings_.cbegin();
+  auto fresh = crossings.cbegin();
+  while (old != crossings_.cend() || fresh != crossings.cend()) {
+    const bool takes_old =
+        fresh == crossings.cend() || (old != crossings_.cend() && !isBefore(*fresh, *old));
+    const RegionPair regions = pairOf(takes_old ? *old : *fresh);
+    const auto isOther = [&](const Crossing& crossing) { return pairOf(crossing) != regions; };
+    const auto old_end = std::find_if(old, crossings_.cend(), isOther);
+    const auto fresh_end = std::find_if(fresh, crossings.cend(), isOther);
+    if (!std::equal(old, old_end, fresh, fresh_end, isSame)) changed_contacts_.push_back(regions);
+    old = old_end;
+    fresh = fresh_end;
+  }
+  crossings_ = std::move(crossings);
+}
+
+std::vector<Segment2> RegionSnapshot::crossingsBetween(const RegionPair& regions) const {
+  const Crossing wanted{regions.first, regions.second, {}};
+  const auto range = std::equal_range(crossings_.begin(), crossings_.end(), wanted, isBefore);
+  std::vector<Segment2> segments;
+  for (auto item = range.first; item != range.second; ++item) segments.push_back(item->segment);
+  return segments;
+}
+
+std::vector<int> RegionSnapshot::touching(const Bounds2& box) const {
+  std::vector<int> ids;
+  for (const SpatialIndex::Key key : index_.touching(box)) ids.push_back(static_cast<int>(key));
+  return ids;
 }
 
 }  // namespace occusg

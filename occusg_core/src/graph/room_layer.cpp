@@ -7,21 +7,11 @@
 #include <utility>
 
 #include "occusg/graph/interior_point.hpp"
-#include "occusg/graph/room_adjacency.hpp"
 
 namespace occusg {
 namespace {
 
 constexpr double kStampRoundingS = 1e-6;
-
-const RoomAttributes& roomIn(const Node& node) { return std::get<RoomAttributes>(node.attributes); }
-
-/// Forgets what is held for regions the tracker will not bring back.
-template <typename Value>
-void dropForgotten(std::map<int, Value>& by_region, const RegionSnapshot& snapshot) {
-  for (auto item = by_region.begin(); item != by_region.end();)
-    item = snapshot.remembers(item->first) ? std::next(item) : by_region.erase(item);
-}
 
 }  // namespace
 
@@ -32,6 +22,7 @@ void RoomLayer::update(SceneGraph& graph, const TrackedRegions& tracked, const P
                        double stamp_s, Maintenance maintenance) {
   snapshot_.update(tracked);
   assignment_.update(graph, snapshot_);
+  adjacency_.observe(graph, snapshot_, assignment_);
   const bool is_fresh = snapshot_.state() == SnapshotState::kFresh;
   if (is_fresh) {
     noteSupport(graph, stamp_s);
@@ -45,6 +36,7 @@ void RoomLayer::update(SceneGraph& graph, const TrackedRegions& tracked, const P
 
 void RoomLayer::finish(SceneGraph& graph, double stamp_s) {
   assignment_.update(graph, snapshot_);
+  adjacency_.observe(graph, snapshot_, assignment_);
   if (snapshot_.state() == SnapshotState::kFresh) maintain(graph, stamp_s, Decisions::kNow);
   syncContainment(graph);
 }
@@ -56,17 +48,45 @@ std::optional<NodeId> RoomLayer::ownerOf(int region) const {
 }
 
 void RoomLayer::noteSupport(SceneGraph& graph, double stamp_s) {
-  dropForgotten(first_seen_s_, snapshot_);
-  dropForgotten(former_room_of_region_, snapshot_);
-  for (const auto& [id, support] : snapshot_.regions()) first_seen_s_.emplace(id, stamp_s);
-  for (const auto& [region, room] : room_of_region_) {
-    const bool is_supported = snapshot_.has(region);
-    if (graph.room(room).unsupported_since_s.has_value() != is_supported) continue;
-    Node node = graph.at(room);
-    auto& unsupported_since_s = std::get<RoomAttributes>(node.attributes).unsupported_since_s;
-    unsupported_since_s = is_supported ? std::nullopt : std::optional<double>(stamp_s);
+  for (const int region : snapshot_.changedRegions()) {
+    const bool is_there = snapshot_.has(region);
+    if (is_there) {
+      first_seen_s_.emplace(region, stamp_s);
+      changed_footprints_.insert(region);
+    } else {
+      absent_regions_.insert(region);
+      changed_footprints_.erase(region);
+    }
+    const std::optional<NodeId> room = ownerOf(region);
+    if (!room || graph.room(*room).unsupported_since_s.has_value() != is_there) continue;
+    Node node = graph.at(*room);
+    std::get<RoomAttributes>(node.attributes).unsupported_since_s =
+        is_there ? std::nullopt : std::optional<double>(stamp_s);
     graph.update(std::move(node));
+    noteRoom(*room);
+    if (is_there) {
+      lost_rooms_.erase(*room);
+    } else {
+      lost_rooms_.insert(*room);
+    }
   }
+  dropForgottenRegions();
+}
+
+void RoomLayer::dropForgottenRegions() {
+  for (auto item = absent_regions_.begin(); item != absent_regions_.end();) {
+    const bool is_forgotten = !snapshot_.remembers(*item);
+    if (is_forgotten) {
+      first_seen_s_.erase(*item);
+      former_room_of_region_.erase(*item);
+    }
+    item = is_forgotten || snapshot_.has(*item) ? absent_regions_.erase(item) : std::next(item);
+  }
+}
+
+void RoomLayer::noteRoom(NodeId room) {
+  changed_rooms_.insert(room);
+  adjacency_.noteRoom(room);
 }
 
 // A merge that lasts an update or two must cost no room its id: the successor is gone, the region
@@ -81,26 +101,31 @@ void RoomLayer::returnToFormerRegions(SceneGraph& graph, double stamp_s) {
 }
 
 void RoomLayer::moveToSuccessors(SceneGraph& graph, double stamp_s) {
+  if (lost_rooms_.empty()) return;
   const std::vector<LostRoom> lost = lostRooms(graph);
-  if (lost.empty()) return;
-  std::vector<const Region*> unowned;
-  for (const auto& [id, support] : snapshot_.regions())
-    if (!ownerOf(id)) unowned.push_back(&support.region);
-  for (const Successor& successor : successorsOf(lost, unowned, config_))
+  for (const Successor& successor : successorsOf(lost, unownedRegionsNear(lost), config_))
     moveRoom(graph, successor.room, successor.region, stamp_s);
 }
 
 std::vector<LostRoom> RoomLayer::lostRooms(const SceneGraph& graph) const {
   std::vector<LostRoom> lost;
-  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
-    const RoomAttributes& room = roomIn(node);
-    if (!room.unsupported_since_s) continue;
-    LostRoom entry{id, &room.polygon, {}};
+  for (const NodeId id : lost_rooms_) {
+    LostRoom entry{id, &graph.room(id).polygon, {}};
     for (const NodeId member : graph.targets(EdgeType::kContains, id))
       entry.members.push_back(graph.at(member).groundPosition());
     lost.push_back(std::move(entry));
   }
   return lost;
+}
+
+std::vector<const Region*> RoomLayer::unownedRegionsNear(const std::vector<LostRoom>& lost) const {
+  std::set<int> near;
+  for (const LostRoom& room : lost)
+    for (const int region : snapshot_.touching(bounds(*room.footprint)))
+      if (!ownerOf(region)) near.insert(region);
+  std::vector<const Region*> unowned;
+  for (const int region : near) unowned.push_back(&snapshot_.regions().at(region).region);
+  return unowned;
 }
 
 void RoomLayer::followRobot(SceneGraph& graph, const Point2& robot, double stamp_s) {
@@ -118,11 +143,12 @@ void RoomLayer::followRobot(SceneGraph& graph, const Point2& robot, double stamp
 }
 
 void RoomLayer::maintain(SceneGraph& graph, double stamp_s, Decisions decisions) {
-  for (const auto& [region, room] : room_of_region_)
-    if (snapshot_.has(region)) refreshRoom(graph, room, stamp_s);
+  const std::set<int> changed = changed_footprints_;
+  for (const int region : changed)
+    if (const auto room = ownerOf(region)) refreshRoom(graph, *room, stamp_s);
   promote(graph, stamp_s, decisions);
   prune(graph, stamp_s, decisions);
-  updateRoomAdjacency(graph, snapshot_, assignment_, room_of_region_);
+  adjacency_.apply(graph, snapshot_, room_of_region_, stamp_s);
 }
 
 void RoomLayer::promote(SceneGraph& graph, double stamp_s, Decisions decisions) {
@@ -130,20 +156,19 @@ void RoomLayer::promote(SceneGraph& graph, double stamp_s, Decisions decisions) 
   const bool may_go_without =
       decisions == Decisions::kNow && config_.promotion == PromotionEvidence::kObservedArea;
   if (!is_bootstrapped && !may_go_without) return;
-  std::set<int> inhabited;
-  for (const auto& entry : assignment_.entries()) {
-    if (entry.region) inhabited.insert(*entry.region);
-  }
+  auto owner = room_of_region_.cbegin();
+  std::vector<int> deserving;
   for (const auto& [id, support] : snapshot_.regions()) {
-    if (!ownerOf(id) && deservesRoom(support.region, inhabited, stamp_s, decisions)) {
-      createRoom(graph, id, RoomReason::kPromoted, stamp_s);
-    }
+    while (owner != room_of_region_.cend() && owner->first < id) ++owner;
+    const bool is_owned = owner != room_of_region_.cend() && owner->first == id;
+    if (!is_owned && deservesRoom(support.region, stamp_s, decisions)) deserving.push_back(id);
   }
+  for (const int region : deserving) createRoom(graph, region, RoomReason::kPromoted, stamp_s);
 }
 
-bool RoomLayer::deservesRoom(const Region& region, const std::set<int>& inhabited, double stamp_s,
-                             Decisions decisions) const {
-  if (config_.promotion == PromotionEvidence::kAnyEntity) return inhabited.count(region.id) > 0;
+bool RoomLayer::deservesRoom(const Region& region, double stamp_s, Decisions decisions) const {
+  if (config_.promotion == PromotionEvidence::kAnyEntity)
+    return !assignment_.entitiesOf(region.id).empty();
   if (region.area_m2 < config_.min_promoted_area_m2) return false;
   const double age_s = stamp_s - first_seen_s_.at(region.id);
   return decisions == Decisions::kNow || age_s >= config_.min_promoted_age_s - kStampRoundingS;
@@ -151,9 +176,9 @@ bool RoomLayer::deservesRoom(const Region& region, const std::set<int>& inhabite
 
 void RoomLayer::prune(SceneGraph& graph, double stamp_s, Decisions decisions) {
   std::vector<NodeId> gone;
-  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
-    const RoomAttributes& room = roomIn(node);
-    if (!room.unsupported_since_s || snapshot_.remembers(room.region_id)) continue;
+  for (const NodeId id : lost_rooms_) {
+    const RoomAttributes& room = graph.room(id);
+    if (snapshot_.remembers(room.region_id)) continue;
     const double missing_s = stamp_s - *room.unsupported_since_s;
     if (decisions == Decisions::kNow || missing_s >= config_.removal_grace_s - kStampRoundingS)
       gone.push_back(id);
@@ -161,18 +186,28 @@ void RoomLayer::prune(SceneGraph& graph, double stamp_s, Decisions decisions) {
   for (const NodeId room : gone) removeRoom(graph, room);
 }
 
+void RoomLayer::syncContainment(SceneGraph& graph) {
+  std::set<NodeId> entities(assignment_.reassigned().begin(), assignment_.reassigned().end());
+  for (const NodeId room : changed_rooms_) {
+    if (graph.find(room) == nullptr) continue;
+    const std::set<NodeId>& held = assignment_.entitiesOf(graph.room(room).region_id);
+    entities.insert(held.begin(), held.end());
+    for (const NodeId member : graph.targets(EdgeType::kContains, room)) entities.insert(member);
+  }
+  changed_rooms_.clear();
+  for (const NodeId entity : entities) syncEntity(graph, entity);
+}
+
 // While its region is missing a room keeps the members no other room claims: they are what tells
 // its successor.
-void RoomLayer::syncContainment(SceneGraph& graph) const {
-  const auto nobody = room_of_region_.end();
-  for (const auto& [entity, position, region] : assignment_.entries()) {
-    const auto wanted = region ? room_of_region_.find(*region) : nobody;
-    const std::optional<NodeId> held = graph.roomOf(entity);
-    if (wanted != nobody) {
-      if (held != wanted->second) graph.connect({EdgeType::kContains, wanted->second, entity, {}});
-    } else if (held && !graph.room(*held).unsupported_since_s) {
-      graph.disconnect(EdgeType::kContains, *held, entity);
-    }
+void RoomLayer::syncEntity(SceneGraph& graph, NodeId entity) const {
+  const std::optional<int> region = assignment_.regionOf(entity);
+  const std::optional<NodeId> wanted = region ? ownerOf(*region) : std::nullopt;
+  const std::optional<NodeId> held = graph.roomOf(entity);
+  if (wanted) {
+    if (held != wanted) graph.connect({EdgeType::kContains, *wanted, entity, {}});
+  } else if (held && !graph.room(*held).unsupported_since_s) {
+    graph.disconnect(EdgeType::kContains, *held, entity);
   }
 }
 
@@ -185,6 +220,7 @@ void RoomLayer::createRoom(SceneGraph& graph, int region, RoomReason reason, dou
   const Eigen::Vector3d anywhere = Eigen::Vector3d::Zero();
   const NodeId id = graph.add(anywhere, stamp_s, std::move(room)).id;
   room_of_region_.emplace(region, id);
+  noteRoom(id);
   refreshRoom(graph, id, stamp_s);
 }
 
@@ -199,12 +235,15 @@ void RoomLayer::moveRoom(SceneGraph& graph, NodeId room, int region, double stam
   graph.update(std::move(node));
   room_of_region_.emplace(region, room);
   former_room_of_region_.erase(region);
+  lost_rooms_.erase(room);
+  noteRoom(room);
   refreshRoom(graph, room, stamp_s);
 }
 
-void RoomLayer::refreshRoom(SceneGraph& graph, NodeId room, double stamp_s) const {
+void RoomLayer::refreshRoom(SceneGraph& graph, NodeId room, double stamp_s) {
   Node node = graph.at(room);
   auto& attributes = std::get<RoomAttributes>(node.attributes);
+  changed_footprints_.erase(attributes.region_id);
   const Region& region = snapshot_.regions().at(attributes.region_id).region;
   node.last_seen_s = stamp_s;
   if (attributes.polygon.outer != region.polygon.outer ||
@@ -222,6 +261,7 @@ void RoomLayer::removeRoom(SceneGraph& graph, NodeId room) {
   for (auto item = former_room_of_region_.begin(); item != former_room_of_region_.end();)
     item = item->second == room ? former_room_of_region_.erase(item) : std::next(item);
   if (current_room_ == room) current_room_.reset();
+  lost_rooms_.erase(room);
   graph.remove(room);
 }
 

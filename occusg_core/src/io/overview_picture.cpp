@@ -12,6 +12,7 @@
 #include "io/canvas.hpp"
 #include "io/json_text.hpp"
 #include "io/map_drawing.hpp"
+#include "io/overview_graph.hpp"
 #include "io/overview_labels.hpp"
 #include "io/overview_view.hpp"
 #include "occusg/error.hpp"
@@ -53,9 +54,18 @@ bool isDrawable(const DoorRecord& crossing) {
   return isDrawable(crossing.segment.a) && isDrawable(crossing.segment.b);
 }
 
+bool isDrawable(const ObjectRecord& object) {
+  return isDrawable(object.box.min) && isDrawable(object.box.max);
+}
+
+bool isDrawable(const RoomLink& link) {
+  return isDrawable(link.from) && isDrawable(link.door) && isDrawable(link.to);
+}
+
 /// What of the content can be drawn.
 OverviewContent drawable(const OverviewContent& content) {
-  OverviewContent result{content.title, {}, {}, {}};
+  OverviewContent result;
+  result.title = content.title;
   const auto keep = [](const auto& from, auto& to) {
     std::copy_if(from.begin(), from.end(), std::back_inserter(to),
                  [](const auto& item) { return isDrawable(item); });
@@ -63,6 +73,8 @@ OverviewContent drawable(const OverviewContent& content) {
   keep(content.rooms, result.rooms);
   keep(content.crossings, result.crossings);
   keep(content.trajectory, result.trajectory);
+  keep(content.objects, result.objects);
+  keep(content.links, result.links);
   return result;
 }
 
@@ -143,6 +155,7 @@ std::string factsOf(const OverviewContent& content) {
   for (const RoomRecord& room : content.rooms) area_m2 += area(room.polygon);
   std::string facts = counted(content.rooms.size(), "room") + "   |   " + areaText(area_m2) +
                       "   |   " + counted(content.crossings.size(), "crossing");
+  if (!content.objects.empty()) facts += "   |   " + counted(content.objects.size(), "object");
   if (!content.trajectory.empty())
     facts += "   |   path " + toText(rounded(lengthOf(content.trajectory), 1)) + " m";
   return facts;
@@ -161,8 +174,14 @@ void drawLegend(Canvas& canvas, const OverviewContent& content) {
       drawCrossing(canvas, {at.x + 2.0, at.y}, {at.x + 22.0, at.y});
     });
   }
+  if (!content.links.empty()) {
+    legend.sign(24.0, "adjacent", [&](const cv::Point2d& at) {
+      canvas.drawLine({at.x + 2.0, at.y}, {at.x + 22.0, at.y}, kLinkColor, 1.4);
+    });
+  }
+  if (!content.objects.empty()) legend.swatch(kWhite, kObjectColor, "object");
   if (!content.trajectory.empty()) {
-    legend.sign(53.0, "path, start to end", [&](const cv::Point2d& at) {
+    legend.sign(53.0, "path", [&](const cv::Point2d& at) {
       canvas.drawLine({at.x + 7.0, at.y}, {at.x + 42.0, at.y}, kPathColor, kPathWidth_px);
       drawStart(canvas, {at.x + 7.0, at.y});
       drawArrowHead(canvas, {at.x + 52.0, at.y}, {1.0, 0.0});
@@ -192,6 +211,8 @@ cv::Mat drawOverview(const FreeSpace& given_layer, const OverviewContent& given_
   paintCells(canvas, view, layer, CellKind::kObstacles);
   outlineRooms(canvas, view, content.rooms);
   canvas.drawPath(pathOf(content.trajectory, view), kPathColor, kPathWidth_px);
+  drawObjects(canvas, view, content);
+  drawLinks(canvas, view, content);
   drawCrossings(canvas, view, content.crossings);
   drawRoomLabels(canvas, view, layer, content);
   drawTrajectoryEnds(canvas, view, content.trajectory);

@@ -86,6 +86,11 @@ json boxAround(const Polygon& polygon, double z_m) {
                {box.max.x - box.min.x, box.max.y - box.min.y, 0.0});
 }
 
+json boxOf(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) return noBox();
+  return boxOf("AABB", box.center(), box.sizes());
+}
+
 json colorOf(const RgbColor& color) {
   return {{"r", color.r}, {"g", color.g}, {"b", color.b}, {"a", 255}};
 }
@@ -119,12 +124,13 @@ class AttributeMembers {
   }
 
   json operator()(const ObjectAttributes& object) const {
-    json members = semantics(object.class_name, {}, noBox());
+    json members = semantics(object.class_name, {}, boxOf(object.box));
     members.update(emptyLists({"mesh_connections"}));
     members["type"] = "ObjectNodeAttributes";
     members["registered"] = false;
     members["world_R_object"] = rotation(Eigen::Quaterniond::Identity());
-    members["metadata"] = {{"score", rounded(object.score, 6)}};
+    members["metadata"] = {{"score", rounded(object.score, 6)},
+                           {"observations", object.observations}};
     return members;
   }
 
@@ -157,6 +163,8 @@ class AttributeMembers {
                            {"holes", std::move(holes)},
                            {"area_m2", rounded(room.area_m2)},
                            {"label", room.label},
+                           {"label_score", rounded(room.label_score, 6)},
+                           {"partial", room.state == RoomState::kPartial},
                            {"region_id", room.region_id}};
     return members;
   }

@@ -30,6 +30,16 @@ void addPerception(Parameters& list, DepthProjectorConfig& depth) {
        "drop"}));
 }
 
+void addDetection(Parameters& list, DetectionBuilderConfig& detection) {
+  list.push_back(
+      numberParameter(detection.cluster_eps_m, {0.005, 10.0},
+                      {"perception.objects.cluster_eps_m", "m",
+                       "Points of an object nearer than this belong together.", "0.05"}));
+  list.push_back(numberParameter(
+      detection.max_depth_m, {0.01, kLongest_m},
+      {"perception.objects.max_depth_m", "m", "Farther pixels of an object are not used.", "10"}));
+}
+
 void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerConfig& layer) {
   list.push_back(numberParameter(
       occupancy.resolution_m, {0.01, 1.0},
@@ -250,10 +260,63 @@ void addGraph(Parameters& list, GraphBuilderConfig& graph) {
                                  {"graph.rooms.min_promoted_age_s", "s",
                                   "observed_area: once it was known for so long.", ""}));
   list.push_back(numberParameter(
+      rooms.max_frontier_share, {0.0, 1.0},
+      {"graph.rooms.max_frontier_share", "",
+       "A room is confirmed once no more of its boundary is frontier; until then it is partial.",
+       "1"}));
+  list.push_back(numberParameter(
       rooms.removal_grace_s, {0.0, 86400.0},
       {"graph.rooms.removal_grace_s", "s",
        "A room stays so long after its region was last seen, and while the tracker remembers it.",
        "0"}));
+}
+
+void addNavigation(Parameters& list, NavigationLayerConfig& navigation) {
+  list.push_back(countParameter(
+      navigation.block_cells, {2, 64},
+      {"graph.navigation.block_cells", "cells", "Side of a block of the lattice.", "15"}));
+  list.push_back(countParameter(navigation.min_free_cells, {1, 4096},
+                                {"graph.navigation.min_free_cells", "cells",
+                                 "A node is made when it stands for so many free cells.", "25"}));
+  list.push_back(countParameter(navigation.min_kept_cells, {0, 4096},
+                                {"graph.navigation.min_kept_cells", "cells",
+                                 "It is removed when they are fewer; 0: never.", "0"}));
+  list.push_back(choiceParameter<NavigationNodes>(
+      navigation.nodes,
+      {{"one_per_block", NavigationNodes::kOnePerBlock},
+       {"one_per_part", NavigationNodes::kOnePerPart}},
+      {"graph.navigation.nodes", "",
+       "Whether a node stands in the middle of a block or on each connected part of it.",
+       "one_per_block"}));
+}
+
+void addObjects(Parameters& list, ObjectLayerConfig& objects) {
+  list.push_back(choiceParameter<ObjectMemory>(
+      objects.memory,
+      {{"first_sight", ObjectMemory::kFirstSight}, {"running", ObjectMemory::kRunning}},
+      {"graph.objects.memory", "",
+       "Whether an object stays as first seen or is made of all its detections.", "first_sight"}));
+  list.push_back(numberParameter(objects.merge_distance_m, {0.0, 100.0},
+                                 {"graph.objects.merge_distance_m", "m",
+                                  "first_sight: objects of a class so near are one.", "0.75"}));
+  list.push_back(numberParameter(objects.flicker_distance_m, {0.0, 100.0},
+                                 {"graph.objects.flicker_distance_m", "m",
+                                  "first_sight: objects of any class so near are one.", "0.15"}));
+  list.push_back(numberParameter(
+      objects.min_common_box, {0.0, 1.0},
+      {"graph.objects.min_common_box", "",
+       "running: objects of a class with this share of the smaller box in common are one.", ""}));
+  list.push_back(choiceParameter<GhostRemoval>(
+      objects.ghosts,
+      {{"never", GhostRemoval::kNever}, {"seen_through", GhostRemoval::kSeenThrough}},
+      {"graph.objects.ghosts", "", "When objects that are not there any more are removed.",
+       "never"}));
+  list.push_back(countParameter(objects.ghost_checks, {1, 1000},
+                                {"graph.objects.ghost_checks", "looks",
+                                 "So many in a row must find an object's space free.", ""}));
+  list.push_back(numberParameter(
+      objects.max_link_distance_m, {0.0, 100.0},
+      {"graph.objects.max_link_distance_m", "m", "From an object to its navigation node.", "1"}));
 }
 
 }  // namespace
@@ -261,12 +324,15 @@ void addGraph(Parameters& list, GraphBuilderConfig& graph) {
 std::vector<Parameter> parametersOf(PipelineConfig& config) {
   Parameters list;
   addPerception(list, config.depth);
+  addDetection(list, config.detection);
   addMapping(list, config.occupancy, config.free_space);
   addDecomposition(list, config);
   addDude(list, config.dude);
   addConstriction(list, config.constriction);
   addTracking(list, config.tracker);
   addGraph(list, config.graph);
+  addNavigation(list, config.graph.navigation);
+  addObjects(list, config.graph.objects);
   return list;
 }
 

@@ -11,11 +11,30 @@ namespace {
 // Stamps are read from decimal text: 0.5 s may arrive as 0.49999999.
 constexpr double kStampTolerance_s = 1e-6;
 
+void add(RefusedMasks& sum, const RefusedMasks& refused) {
+  for (std::size_t i = 0; i < kMaskRefusalCount; ++i) {
+    const auto reason = static_cast<MaskRefusal>(i);
+    sum.add(
+        reason, [&] { return refused.first(reason); }, refused.count(reason));
+  }
+}
+
 }  // namespace
 
-Pipeline::Pipeline(const PipelineConfig& config) : config_(config), map_(config), rooms_(config) {}
+Pipeline::Pipeline(const PipelineConfig& config)
+    : config_(config), detection_builder_(config.detection), map_(config), rooms_(config) {}
 
 void Pipeline::process(const DepthFrame& frame) {
+  checkStamp(frame);
+  takeIn(frame, {});
+}
+
+void Pipeline::process(const DepthFrame& frame, const InstanceMasks& masks) {
+  checkStamp(frame);
+  takeIn(frame, detection_builder_.build(masks, frame));
+}
+
+void Pipeline::checkStamp(const DepthFrame& frame) const {
   if (!std::isfinite(frame.stamp_s))
     throw refuse("frame", "its stamp is not a number", "seconds are needed");
   if (last_stamp_s_ && frame.stamp_s <= *last_stamp_s_) {
@@ -24,10 +43,14 @@ void Pipeline::process(const DepthFrame& frame) {
                      shortestText(*last_stamp_s_) + " s",
                  "frames must come in order of time");
   }
+}
+
+void Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& objects) {
   timed(totals_, Stage::kTotal, [&] {
     changed_since_rooms_ = changed_since_rooms_.including(map_.process(frame).changed);
     last_stamp_s_ = frame.stamp_s;
     last_pose_ = frame.T_map_camera;
+    rooms_.observeObjects(objects.detections, frame.stamp_s);
     if (roomsAreDue(frame.stamp_s)) {
       updateRooms(frame.T_map_camera, frame.stamp_s);
     } else {
@@ -35,12 +58,17 @@ void Pipeline::process(const DepthFrame& frame) {
     }
     return true;
   });
+  add(refused_masks_, objects.refused);
+}
+
+MapView Pipeline::mapView(const CellBox& changed) const {
+  return {&freeSpace(), changed, &occupancyMap().tree(), config_.occupancy.max_range_m};
 }
 
 void Pipeline::finish() {
   if (!last_stamp_s_) return;
   if (rooms_.lastUpdate() != last_stamp_s_) updateRooms(last_pose_, *last_stamp_s_);
-  rooms_.finish(*last_stamp_s_);
+  rooms_.finish(*last_stamp_s_, mapView({}));
 }
 
 bool Pipeline::roomsAreDue(double stamp_s) const {
@@ -49,7 +77,7 @@ bool Pipeline::roomsAreDue(double stamp_s) const {
 }
 
 void Pipeline::updateRooms(const Pose& T_map_camera, double stamp_s) {
-  rooms_.update(freeSpace(), changed_since_rooms_, T_map_camera, stamp_s);
+  rooms_.update(mapView(changed_since_rooms_), T_map_camera, stamp_s);
   changed_since_rooms_ = {};
 }
 

@@ -23,9 +23,33 @@ std::vector<Point2> trajectoryOf(const SceneGraph& graph) {
   return trajectory;
 }
 
+std::vector<ObjectRecord> objectsOf(const SceneGraph& graph) {
+  std::vector<ObjectRecord> objects;
+  for (const auto& [id, node] : graph.nodes(NodeType::kObject)) {
+    const auto& object = std::get<ObjectAttributes>(node.attributes);
+    if (object.box.isEmpty()) continue;
+    const Eigen::Vector3d& low = object.box.min();
+    const Eigen::Vector3d& high = object.box.max();
+    objects.push_back({object.class_name, {{low.x(), low.y()}, {high.x(), high.y()}}});
+  }
+  return objects;
+}
+
+std::vector<RoomLink> linksOf(const SceneGraph& graph) {
+  std::vector<RoomLink> links;
+  for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
+    for (const Segment2& crossing : edge.crossings)
+      links.push_back({graph.at(ends.first).groundPosition(), midpoint(crossing),
+                       graph.at(ends.second).groundPosition()});
+  }
+  return links;
+}
+
 std::string overviewPng(const Pipeline& pipeline, const RoomsFile& rooms) {
-  return encodePng(drawOverview(pipeline.freeSpace(), {rooms.scene, rooms.rooms, rooms.doors,
-                                                       trajectoryOf(pipeline.graph())}));
+  const SceneGraph& graph = pipeline.graph();
+  return encodePng(
+      drawOverview(pipeline.freeSpace(), {rooms.scene, rooms.rooms, rooms.doors,
+                                          trajectoryOf(graph), objectsOf(graph), linksOf(graph)}));
 }
 
 }  // namespace

@@ -20,14 +20,22 @@ RoomPipeline::RoomPipeline(const PipelineConfig& config)
 
 const SceneGraph& RoomPipeline::update(const FreeSpace& layer, const CellBox& changed,
                                        const Pose& T_map_robot, double stamp_s) {
+  MapView map;
+  map.layer = &layer;
+  map.changed = changed;
+  return update(map, T_map_robot, stamp_s);
+}
+
+const SceneGraph& RoomPipeline::update(const MapView& map, const Pose& T_map_robot,
+                                       double stamp_s) {
   const Decomposition& decomposition =
       timed(times_, Stage::kDecomposition,
-            [&]() -> const Decomposition& { return decomposer_->update(layer, changed); });
+            [&]() -> const Decomposition& { return decomposer_->update(*map.layer, map.changed); });
   const TrackedRegions& tracked = timed(times_, Stage::kTracking, [&]() -> const TrackedRegions& {
     return tracker_.update(decomposition);
   });
   const SceneGraph& graph = timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
-    return graph_.update(tracked, T_map_robot, stamp_s);
+    return graph_.update(tracked, T_map_robot, stamp_s, map);
   });
   last_update_s_ = stamp_s;
   ++counts_.region_updates;
@@ -48,6 +56,21 @@ void RoomPipeline::maintain(const Pose& T_map_robot, double stamp_s) {
 
 void RoomPipeline::finish(double stamp_s) {
   timed(times_, Stage::kGraph, [&]() -> const SceneGraph& { return graph_.finish(stamp_s); });
+}
+
+void RoomPipeline::finish(double stamp_s, const MapView& map) {
+  timed(times_, Stage::kGraph, [&]() -> const SceneGraph& { return graph_.finish(stamp_s, map); });
+}
+
+void RoomPipeline::observeObjects(const std::vector<Detection>& detections, double stamp_s) {
+  graph_.observeObjects(detections, stamp_s);
+}
+
+RoomCounts RoomPipeline::counts() const {
+  RoomCounts counts = counts_;
+  counts.objects = graph_.objectCounts();
+  counts.room_id_switches = graph_.roomIdSwitches();
+  return counts;
 }
 
 StageTimes RoomPipeline::times() const {

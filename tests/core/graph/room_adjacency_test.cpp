@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/room_adjacency.hpp"
 
 #include <gtest/gtest.h>
 
@@ -106,6 +105,65 @@ TEST_F(RoomAdjacency, ACrossingToARegionWithoutARoomIsNoAdjacency) {
       tracked({squareAt(1, 0.0), squareAt(2, 4.0), squareAt(3, 8.0), squareAt(4, 12.0)}, {},
               {{3, 4, {{12.0, 1.0}, {12.0, 2.0}}}, {3, 99, {{12.0, 1.0}, {12.0, 2.0}}}});
   layer_.update(graph_, regions, {2.0, 2.0}, stamp_s_, Maintenance::kDue);
+  EXPECT_EQ(edgeCount(), 0U);
+}
+
+TEST_F(RoomAdjacency, EachCrossingOfAdjacentRoomsIsADoor) {
+  maintain({door12_, wide12_});
+  ASSERT_EQ(graph_.nodes(NodeType::kDoor).size(), 2U);
+  const Node& wide = graph_.nodes(NodeType::kDoor).begin()->second;
+  const auto& door = std::get<DoorAttributes>(wide.attributes);
+  EXPECT_NEAR(door.width_m, 1.2, 1e-12);
+  EXPECT_EQ(door.room_a, roomOnRegion(graph_, 1));
+  EXPECT_EQ(door.room_b, roomOnRegion(graph_, 2));
+  EXPECT_EQ(wide.groundPosition(), midpoint(wide12_.segment));
+  maintain({wide12_});
+  EXPECT_EQ(graph_.nodes(NodeType::kDoor).size(), 1U);
+  maintain({});
+  EXPECT_TRUE(graph_.nodes(NodeType::kDoor).empty());
+}
+
+TEST_F(RoomAdjacency, ADoorKeepsItsIdWhileItsCrossingStaysInPlace) {
+  maintain({door12_});
+  const NodeId door = graph_.nodes(NodeType::kDoor).begin()->first;
+  maintain({{1, 2, {{4.0, 1.6}, {4.1, 2.6}}}});
+  ASSERT_NE(graph_.find(door), nullptr);
+  EXPECT_NEAR(graph_.at(door).position.y(), 2.1, 1e-12);
+  maintain({{1, 2, {{4.0, 3.0}, {4.0, 4.0}}}});
+  EXPECT_EQ(graph_.find(door), nullptr) << "a metre away it is another";
+  EXPECT_EQ(graph_.nodes(NodeType::kDoor).size(), 1U);
+}
+
+TEST_F(RoomAdjacency, DoorsGoWithARoom) {
+  maintain({door12_});
+  const auto without_second =
+      tracked({squareAt(1, 0.0), squareAt(3, 8.0)}, {}, std::vector<Crossing>{});
+  for (int i = 0; i < 3; ++i) {
+    layer_.update(graph_, without_second, {2.0, 2.0}, stamp_s_, Maintenance::kDue);
+    stamp_s_ += 1.0;
+  }
+  EXPECT_EQ(edgeCount(), 0U);
+  EXPECT_TRUE(graph_.nodes(NodeType::kDoor).empty());
+}
+
+TEST_F(RoomAdjacency, AnEdgeIsDroppedWhenItsTraversableEdgeGoes) {
+  const NodeId left = blockAt(3.5);
+  const NodeId right = blockAt(4.5);
+  graph_.connect({EdgeType::kTraversable, left, right, {}});
+  maintain({door12_});
+  ASSERT_EQ(edgeCount(), 1U);
+  const Revision before = graph_.revision();
+  maintain({door12_});
+  const GraphChanges changes = graph_.changesSince(before);
+  EXPECT_TRUE(changes.changed_edges.empty()) << "nothing changed, nothing is touched";
+  graph_.disconnect(EdgeType::kTraversable, left, right);
+  maintain({door12_});
+  EXPECT_EQ(edgeCount(), 0U);
+  graph_.connect({EdgeType::kTraversable, left, right, {}});
+  maintain({door12_});
+  EXPECT_EQ(edgeCount(), 1U);
+  graph_.remove(left);
+  maintain({door12_});
   EXPECT_EQ(edgeCount(), 0U);
 }
 

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <opencv2/core.hpp>
 #include <string>
 
 #include "box_world.hpp"
 #include "occusg/error.hpp"
 #include "occusg/geometry/polygon_overlap.hpp"
+#include "occusg/graph/graph_query.hpp"
 #include "occusg/pipeline/results.hpp"
 
 namespace occusg {
@@ -141,6 +143,74 @@ TEST(Pipeline, EveryStageReportsItsTimeAndTheMapsTheirMemory) {
   const std::string json = timingJson(times);
   for (const Stage stage : kStages)
     EXPECT_NE(json.find("\"" + nameOf(stage) + "\""), std::string::npos);
+}
+
+/// A mask over the middle of the 160 x 120 images of the drive.
+InstanceMasks maskInTheMiddle(const std::string& class_name) {
+  InstanceMask mask;
+  mask.class_id = 0;
+  mask.class_name = class_name;
+  mask.score = 0.9;
+  mask.box = {70, 50, 20, 20};
+  mask.pixels = cv::Mat(20, 20, CV_8UC1, cv::Scalar(255));
+  InstanceMasks masks;
+  masks.image_size = {160, 120};
+  masks.masks.push_back(mask);
+  return masks;
+}
+
+TEST(Pipeline, ObjectsNavigationAndDoorsJoinTheGraph) {
+  Pipeline pipeline{PipelineConfig{}};
+  const auto frames = driveThroughTwoRooms();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (i == 8) {
+      pipeline.process(frames[i], maskInTheMiddle("oven"));
+    } else {
+      pipeline.process(frames[i]);
+    }
+  }
+  pipeline.finish();
+  const SceneGraph& graph = pipeline.graph();
+  ASSERT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+  const NodeId oven = graph.nodes(NodeType::kObject).begin()->first;
+  // Seen while turning in the west room, against its wall.
+  ASSERT_TRUE(graph.roomOf(oven));
+  EXPECT_TRUE(contains(graph.room(*graph.roomOf(oven)).polygon, {2.0, 2.0}));
+  EXPECT_EQ(graph.room(*graph.roomOf(oven)).label, "kitchen");
+  EXPECT_EQ(graph.targets(EdgeType::kNearestFreeSpace, oven).size(), 1U);
+  EXPECT_EQ(graph.nodes(NodeType::kDoor).size(), 1U);
+  EXPECT_GT(graph.nodes(NodeType::kNavigation).size(), 40U);
+  EXPECT_EQ(pipeline.counts().objects.detections, 1U);
+  EXPECT_EQ(pipeline.counts().room_id_switches, 0U);
+  const auto route = shortestRoute(graph, {1.0, 1.0}, {7.0, 3.0});
+  ASSERT_TRUE(route);
+  EXPECT_EQ(route->rooms.size(), 2U);
+  EXPECT_EQ(route->doors.size(), 1U);
+  EXPECT_GT(route->length_m, 6.3);
+  EXPECT_LT(route->length_m, 9.0);
+}
+
+TEST(Pipeline, MasksThatCannotBeUsedAreCountedAndMasksOfAnotherShapeRefused) {
+  Pipeline pipeline{PipelineConfig{}};
+  const auto frames = driveThroughTwoRooms();
+  InstanceMasks masks = maskInTheMiddle("");
+  masks.masks.push_back(masks.masks.front());
+  masks.masks.back().pixels = cv::Mat::zeros(20, 20, CV_8UC1);
+  pipeline.process(frames[0], masks);
+  EXPECT_EQ(pipeline.counts().refused_masks.total(), 2U);
+  masks.image_size = {160, 30};
+  EXPECT_THROW(pipeline.process(frames[1], masks), Error);
+  EXPECT_EQ(pipeline.counts().frames, 1U) << "the state is as before the call";
+  pipeline.process(frames[1]);
+  EXPECT_TRUE(pipeline.graph().nodes(NodeType::kObject).empty());
+}
+
+TEST(Pipeline, APersonsLabelStays) {
+  Pipeline pipeline = driven();
+  const NodeId room = pipeline.graph().nodes(NodeType::kRoom).begin()->first;
+  pipeline.setRoomLabel(room, "den");
+  EXPECT_EQ(pipeline.graph().room(room).label, "den");
+  EXPECT_THROW(pipeline.setRoomLabel(-1, "den"), Error);
 }
 
 }  // namespace

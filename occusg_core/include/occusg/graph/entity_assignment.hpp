@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
+#include <unordered_map>
 #include <vector>
 
 #include "occusg/graph/region_snapshot.hpp"
@@ -19,27 +22,37 @@ namespace occusg {
 /// Which region holds which entity (agent, object, navigation node); at most one each.
 class EntityAssignment {
  public:
-  struct Entry {
-    NodeId entity = 0;
-    Point2 position;
-    std::optional<int> region;
-  };
-
   explicit EntityAssignment(double boundary_tolerance_m);
 
-  /// Resolves the entities that are new, have moved, or lie where the snapshot changed.
+  /// Resolves the entities that are new, have moved, or lie where the snapshot changed; no other is
+  /// looked at. Always to be called with the same graph.
   void update(const SceneGraph& graph, const RegionSnapshot& snapshot);
 
   [[nodiscard]] std::optional<int> regionOf(NodeId entity) const;
-  /// All entities of the graph at the last update, in the order of their ids.
-  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  /// The entities a region holds, by id.
+  [[nodiscard]] const std::set<NodeId>& entitiesOf(int region) const;
+  /// The entities that are new or that the last update gave another region; by id.
+  [[nodiscard]] const std::vector<NodeId>& reassigned() const { return reassigned_; }
   /// How many entities the last update resolved; the others kept their region.
   [[nodiscard]] std::size_t resolvedCount() const { return resolved_count_; }
 
  private:
+  struct Entry {
+    Point2 position;
+    std::optional<int> region;
+  };
+
+  [[nodiscard]] std::set<NodeId> affected(const SceneGraph& graph,
+                                          const RegionSnapshot& snapshot) const;
+  void resolve(const Node& entity, const RegionSnapshot& snapshot);
+  void forget(NodeId entity);
+  void forgetMissing(const SceneGraph& graph);
+
   double tolerance_m_;
-  std::vector<Entry> entries_;   ///< By entity.
-  std::vector<Entry> previous_;  ///< Those of the update before; kept for its memory.
+  std::unordered_map<NodeId, Entry> entries_;
+  std::map<int, std::set<NodeId>> entities_of_region_;
+  std::vector<NodeId> reassigned_;
+  Revision revision_ = 0;  ///< Of the graph at the last update.
   std::size_t resolved_count_ = 0;
 };
 

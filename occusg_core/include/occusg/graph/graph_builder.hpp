@@ -3,9 +3,17 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "occusg/geometry/pose.hpp"
 #include "occusg/graph/agent_layer.hpp"
+#include "occusg/graph/free_space_links.hpp"
+#include "occusg/graph/navigation_layer.hpp"
+#include "occusg/graph/object_layer.hpp"
+#include "occusg/graph/room_completeness.hpp"
+#include "occusg/graph/room_history.hpp"
+#include "occusg/graph/room_labels.hpp"
 #include "occusg/graph/room_layer.hpp"
 #include "occusg/graph/scene_graph.hpp"
 #include "occusg/regions/region_tracker.hpp"
@@ -16,10 +24,22 @@ struct GraphBuilderConfig {
   double maintenance_period_s = 2.0;  ///< Of relinking, promotion and removal (paper: 0.5 Hz) [s].
   AgentLayerConfig agents;
   RoomLayerConfig rooms;
+  ObjectLayerConfig objects;
+  NavigationLayerConfig navigation;
+  RoomLabelTable room_labels = defaultRoomLabels();
 };
 
-/// Tracked regions and poses -> scene graph (paper, Sec. 3.3 and 3.4). Time is the stamps it is
-/// given: equal calls give equal graphs.
+/// What an update may know of the map besides the regions.
+struct MapView {
+  const FreeSpace* layer = nullptr;  ///< Never null.
+  CellBox changed;                   ///< Bounds of the cells that changed since the last update.
+  const octomap::OcTree* occupancy = nullptr;  ///< Null: no object is a ghost.
+  double max_range_m = 8.0;                    ///< How far the sensor changes the map [m].
+};
+
+/// Tracked regions, poses, detections and free space -> scene graph (paper, Sec. 3.3 and 3.4). Time
+/// is the stamps it is given: equal calls give equal graphs. An update touches what changed,
+/// however large the graph is.
 class GraphBuilder {
  public:
   explicit GraphBuilder(const GraphBuilderConfig& config);
@@ -29,34 +49,60 @@ class GraphBuilder {
   /// the one before is refused whole and counted.
   /// @throws Error when the pose or the stamp is not finite; the graph stays as it was.
   const SceneGraph& update(const TrackedRegions& tracked, const Pose& T_map_camera, double stamp_s);
+  /// The same with the map the regions are from: navigation nodes, ghosts and what of the rooms has
+  /// been seen follow it.
+  const SceneGraph& update(const TrackedRegions& tracked, const Pose& T_map_camera, double stamp_s,
+                           const MapView& map);
 
   /// A pose between two updates: may become an agent.
   /// @throws Error when the pose or the stamp is not finite.
   void observePose(const Pose& T_map_camera, double stamp_s);
 
+  /// Detections of a frame, between two updates; what cannot be used is left out and counted.
+  /// @throws Error when the stamp is not finite.
+  void observeObjects(const std::vector<Detection>& detections, double stamp_s);
+
+  /// Gives a room a label that stays; an empty one returns to the automatic label.
+  /// @throws Error as `setLabelByPerson`.
+  void setRoomLabel(NodeId room, const std::string& label);
+
   /// Maintains the rooms a last time, as no later update can confirm or refute anything: neither
   /// the age of a region nor the grace of a room counts any more.
   /// @throws Error when the stamp is not finite.
   const SceneGraph& finish(double stamp_s);
+  const SceneGraph& finish(double stamp_s, const MapView& map);
 
   [[nodiscard]] const SceneGraph& graph() const { return graph_; }
-  /// For entities other stages contribute (objects, navigation nodes), between updates. Agents and
-  /// rooms belong to the builder.
+  /// For entities other stages contribute, between updates. What its layers made belongs to the
+  /// builder.
   [[nodiscard]] SceneGraph& mutableGraph() { return graph_; }
 
   /// The room the robot was in at the last update.
   [[nodiscard]] std::optional<NodeId> currentRoom() const { return rooms_.currentRoom(); }
   [[nodiscard]] std::size_t posesBackInTime() const { return agents_.posesBackInTime(); }
+  [[nodiscard]] const ObjectCounts& objectCounts() const { return objects_.counts(); }
+  /// How often a confirmed room lost its id to another.
+  [[nodiscard]] std::size_t roomIdSwitches() const { return history_.idSwitches(); }
   [[nodiscard]] std::size_t updatesBackInTime() const { return updates_back_in_time_; }
 
   /// Forgets everything, ids included.
   void reset();
 
  private:
+  void maintainFinally(double stamp_s, const MapView* map);
+  const SceneGraph& assemble(const TrackedRegions& tracked, const Pose& T_map_camera,
+                             double stamp_s, const MapView* map);
+
   GraphBuilderConfig config_;
   SceneGraph graph_;
   AgentLayer agents_;
   RoomLayer rooms_;
+  ObjectLayer objects_;
+  NavigationLayer navigation_;
+  FreeSpaceLinks links_;
+  RoomCompleteness completeness_;
+  RoomLabeler labeler_;
+  RoomHistory history_;
   std::optional<double> last_update_s_;
   double last_maintenance_s_ = 0.0;  ///< Once there was an update: the first counts as one.
   std::size_t updates_back_in_time_ = 0;

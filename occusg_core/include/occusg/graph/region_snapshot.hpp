@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "occusg/geometry/polygon.hpp"
+#include "occusg/graph/spatial_index.hpp"
 #include "occusg/regions/region_tracker.hpp"
 
 namespace occusg {
@@ -16,6 +19,9 @@ enum class SnapshotState {
   kStale,  ///< The last update was stale or empty; the regions are those of an earlier one.
 };
 
+/// Two regions, the smaller id first.
+using RegionPair = std::pair<int, int>;
+
 /// The regions rooms can stand on: those of the last valid update that have an area. An empty
 /// update after a valid one is taken for a failure, not for a world without free space.
 class RegionSnapshot {
@@ -23,13 +29,17 @@ class RegionSnapshot {
   struct Support {
     Region region;  ///< Area and centroid are those of its polygon.
     Bounds2 bounds;
+    std::uint64_t update = 0;  ///< The one it was last there in.
   };
 
   void update(const TrackedRegions& tracked);
 
   [[nodiscard]] SnapshotState state() const { return state_; }
   [[nodiscard]] const std::map<int, Support>& regions() const { return regions_; }
-  [[nodiscard]] const std::vector<Crossing>& crossings() const { return crossings_; }
+  /// Where the two regions meet, in the order of the decomposition.
+  [[nodiscard]] std::vector<Segment2> crossingsBetween(const RegionPair& regions) const;
+  /// Ids of the regions whose bounds touch `box`, sorted.
+  [[nodiscard]] std::vector<int> touching(const Bounds2& box) const;
   [[nodiscard]] bool has(int region) const { return regions_.count(region) > 0; }
   /// True when the region is there, or missing but still known to the tracker.
   [[nodiscard]] bool remembers(int region) const {
@@ -37,15 +47,26 @@ class RegionSnapshot {
   }
   /// Where the last update changed, added or removed a region: its old bounds and its new ones.
   [[nodiscard]] const std::vector<Bounds2>& changes() const { return changes_; }
+  /// The regions the last update changed, added or removed; sorted.
+  [[nodiscard]] const std::vector<int>& changedRegions() const { return changed_regions_; }
+  /// The pairs of regions whose crossings the last update changed; sorted.
+  [[nodiscard]] const std::vector<RegionPair>& changedContacts() const { return changed_contacts_; }
 
  private:
   void adopt(const TrackedRegions& tracked);
+  void adoptRegion(const Region& region);
+  void dropRegionsNotIn(std::uint64_t update);
+  void adoptCrossings(std::vector<Crossing> crossings);
 
   SnapshotState state_ = SnapshotState::kNone;
-  std::map<int, Support> regions_;  ///< By id.
-  std::vector<Crossing> crossings_;
+  std::map<int, Support> regions_;   ///< By id.
+  SpatialIndex index_;               ///< Of their bounds.
+  std::vector<Crossing> crossings_;  ///< Ordered by the regions.
   std::set<int> missed_;
+  std::uint64_t update_ = 0;
   std::vector<Bounds2> changes_;
+  std::vector<int> changed_regions_;
+  std::vector<RegionPair> changed_contacts_;
 };
 
 }  // namespace occusg

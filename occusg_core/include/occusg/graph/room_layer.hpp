@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "occusg/graph/adjacency_layer.hpp"
 #include "occusg/graph/entity_assignment.hpp"
 #include "occusg/graph/region_snapshot.hpp"
 #include "occusg/graph/relinking.hpp"
@@ -22,7 +23,7 @@ enum class Maintenance { kNotDue, kDue };
 /// region gets a room or refreshes the one it has; and, when maintenance is due, all footprints are
 /// refreshed, unowned regions with evidence become rooms, and rooms without a region go. Because
 /// succession comes first, the room the robot is in keeps its id. A stale or empty update changes
-/// no room.
+/// no room. Only rooms and entities the update touches are looked at.
 class RoomLayer {
  public:
   explicit RoomLayer(const RoomLayerConfig& config);
@@ -44,10 +45,12 @@ class RoomLayer {
 
   [[nodiscard]] std::optional<NodeId> ownerOf(int region) const;
   [[nodiscard]] std::vector<LostRoom> lostRooms(const SceneGraph& graph) const;
-  [[nodiscard]] bool deservesRoom(const Region& region, const std::set<int>& inhabited,
-                                  double stamp_s, Decisions decisions) const;
+  [[nodiscard]] std::vector<const Region*> unownedRegionsNear(
+      const std::vector<LostRoom>& lost) const;
+  [[nodiscard]] bool deservesRoom(const Region& region, double stamp_s, Decisions decisions) const;
 
   void noteSupport(SceneGraph& graph, double stamp_s);
+  void dropForgottenRegions();
   void returnToFormerRegions(SceneGraph& graph, double stamp_s);
   void moveToSuccessors(SceneGraph& graph, double stamp_s);
   void followRobot(SceneGraph& graph, const Point2& robot, double stamp_s);
@@ -55,20 +58,27 @@ class RoomLayer {
   void maintain(SceneGraph& graph, double stamp_s, Decisions decisions);
   void promote(SceneGraph& graph, double stamp_s, Decisions decisions);
   void prune(SceneGraph& graph, double stamp_s, Decisions decisions);
-  void syncContainment(SceneGraph& graph) const;
+  void syncContainment(SceneGraph& graph);
+  void syncEntity(SceneGraph& graph, NodeId entity) const;
 
   void createRoom(SceneGraph& graph, int region, RoomReason reason, double stamp_s);
   void moveRoom(SceneGraph& graph, NodeId room, int region, double stamp_s);
-  void refreshRoom(SceneGraph& graph, NodeId room, double stamp_s) const;
+  void refreshRoom(SceneGraph& graph, NodeId room, double stamp_s);
+  void noteRoom(NodeId room);
   void removeRoom(SceneGraph& graph, NodeId room);
 
   RoomLayerConfig config_;
   RegionSnapshot snapshot_;
   EntityAssignment assignment_;
+  AdjacencyLayer adjacency_;
   std::map<int, NodeId> room_of_region_;  ///< Regions that are missing included.
   /// Rooms that moved away from a region the tracker may still bring back.
   std::map<int, NodeId> former_room_of_region_;
   std::map<int, double> first_seen_s_;  ///< By region.
+  std::set<int> absent_regions_;        ///< Known once, missing now.
+  std::set<int> changed_footprints_;    ///< Regions that changed since their room was refreshed.
+  std::set<NodeId> lost_rooms_;         ///< Those whose region is missing.
+  std::set<NodeId> changed_rooms_;      ///< Those whose members must be looked at.
   std::optional<int> current_region_;
   std::optional<NodeId> current_room_;
 };

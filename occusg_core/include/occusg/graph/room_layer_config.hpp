@@ -24,6 +24,10 @@ struct RoomLayerConfig {
   double min_promoted_area_m2 = 1.5;  ///< kObservedArea: smallest region that becomes a room [m2].
   double min_promoted_age_s = 4.0;    ///< kObservedArea: once it has been known for so long [s].
 
+  /// A room is confirmed once no more than this share of its boundary is frontier, 0..1; until then
+  /// it is partial. One: every room is confirmed.
+  double max_frontier_share = 0.3;
+
   /// A room stays for so long after its region went missing, and at least while the tracker
   /// remembers the region [s]. Zero: exactly while it does (paper, Sec. 3.3).
   double removal_grace_s = 10.0;

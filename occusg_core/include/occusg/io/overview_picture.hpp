@@ -10,18 +10,33 @@
 
 namespace occusg {
 
+/// An object seen from above.
+struct ObjectRecord {
+  std::string label;
+  Bounds2 box;  ///< Map frame [m].
+};
+
+/// Two adjacent rooms: points in them, and the middle of the door between.
+struct RoomLink {
+  Point2 from;
+  Point2 door;
+  Point2 to;
+};
+
 /// What an overview shows besides the map.
 struct OverviewContent {
   std::string title;
   std::vector<RoomRecord> rooms;
   std::vector<DoorRecord> crossings;
   std::vector<Point2> trajectory;  ///< In the order of travel, map frame [m].
+  std::vector<ObjectRecord> objects = {};
+  std::vector<RoomLink> links = {};
 };
 
 /// Draws the map from above, y up: obstacles, free space, rooms tinted by id with id, label and
-/// area, crossings, the trajectory with start and end; title, legend and scale bar. The longer side
-/// is 1600 pixels. What is not finite or farther than 1e6 m is left out; an empty map gives a
-/// picture that says so. Equal input gives equal pixels.
+/// area, crossings, objects, which rooms are adjacent, the trajectory with start and end; title,
+/// legend and scale bar. The longer side is 1600 pixels. What is not finite or farther than 1e6 m
+/// is left out; an empty map gives a picture that says so. Equal input gives equal pixels.
 /// @return CV_8UC3, BGR.
 [[nodiscard]] cv::Mat drawOverview(const FreeSpace& layer, const OverviewContent& content);
 

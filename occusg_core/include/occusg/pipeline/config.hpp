@@ -9,6 +9,7 @@
 #include "occusg/mapping/free_space_layer.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
 #include "occusg/perception/depth_projector.hpp"
+#include "occusg/perception/detection_builder.hpp"
 #include "occusg/pipeline/parameter.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
 #include "occusg/regions/decomposer.hpp"
@@ -26,6 +27,7 @@ enum class DecomposerKind {
 /// All parameters of the pipeline, one struct a stage. Defaults are the project's own choice.
 struct PipelineConfig {
   DepthProjectorConfig depth;
+  DetectionBuilderConfig detection;
   OccupancyMapConfig occupancy;
   FreeSpaceLayerConfig free_space;
   double region_period_s = 0.5;  ///< Regions are updated when so much logical time has passed [s].

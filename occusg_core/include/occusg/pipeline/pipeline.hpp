@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "occusg/perception/depth_frame.hpp"
+#include "occusg/perception/detection_builder.hpp"
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/map_pipeline.hpp"
 #include "occusg/pipeline/room_pipeline.hpp"
@@ -13,7 +15,9 @@
 namespace occusg {
 
 /// What the frames so far brought.
-struct PipelineCounts : MapCounts, RoomCounts {};
+struct PipelineCounts : MapCounts, RoomCounts {
+  RefusedMasks refused_masks;  ///< Instances that gave no detection.
+};
 
 /// Composes the stages, with the two halves of the pipeline on one clock. Logical time: it is
 /// driven by the stamps of its frames, so equal recordings give equal results.
@@ -27,6 +31,13 @@ class Pipeline {
   /// @throws Error when the frame cannot be used or is not younger than the one before; the state
   /// is then as before the call.
   void process(const DepthFrame& frame);
+  /// The same with the objects seen in an image of the same view; they join the scene graph.
+  /// @throws Error as above, or when the masks' image does not fit the depth image.
+  void process(const DepthFrame& frame, const InstanceMasks& masks);
+
+  /// Gives a room a label that stays; an empty one returns to the automatic label.
+  /// @throws Error when there is no such room or the label cannot be one.
+  void setRoomLabel(NodeId room, const std::string& label) { rooms_.setRoomLabel(room, label); }
 
   /// Brings regions and rooms up to date with the last frame. Call once, at the end.
   void finish();
@@ -36,21 +47,28 @@ class Pipeline {
   [[nodiscard]] const FreeSpace& freeSpace() const { return map_.freeSpace(); }
   [[nodiscard]] const TrackedRegions& regions() const { return rooms_.regions(); }
   [[nodiscard]] const SceneGraph& graph() const { return rooms_.graph(); }
-  [[nodiscard]] PipelineCounts counts() const { return {map_.counts(), rooms_.counts()}; }
+  [[nodiscard]] PipelineCounts counts() const {
+    return {map_.counts(), rooms_.counts(), refused_masks_};
+  }
   /// Durations so far, and the memory each stage's result holds now.
   [[nodiscard]] StageTimes times() const;
 
  private:
+  void checkStamp(const DepthFrame& frame) const;
+  void takeIn(const DepthFrame& frame, const DetectionResult& objects);
+  [[nodiscard]] MapView mapView(const CellBox& changed) const;
   void updateRooms(const Pose& T_map_camera, double stamp_s);
   [[nodiscard]] bool roomsAreDue(double stamp_s) const;
 
   PipelineConfig config_;
+  DetectionBuilder detection_builder_;
   MapPipeline map_;
   RoomPipeline rooms_;
 
   CellBox changed_since_rooms_;  ///< Free-space cells `rooms_` has not seen yet.
   std::optional<double> last_stamp_s_;
   Pose last_pose_ = Pose::Identity();
+  RefusedMasks refused_masks_;
   StageTimes totals_;  ///< Of whole frames.
 };
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "occusg/geometry/pose.hpp"
 #include "occusg/graph/graph_builder.hpp"
@@ -19,6 +21,8 @@ namespace occusg {
 struct RoomCounts {
   std::size_t region_updates = 0;
   std::size_t rejected_region_updates = 0;  ///< By the acceptance guard.
+  ObjectCounts objects;
+  std::size_t room_id_switches = 0;  ///< Confirmed rooms that lost their id to another.
 };
 
 /// Free space and robot poses -> regions, rooms, scene graph: the half of the pipeline that a robot
@@ -33,6 +37,16 @@ class RoomPipeline {
   /// @throws Error when the pose or the stamp is not finite.
   const SceneGraph& update(const FreeSpace& layer, const CellBox& changed, const Pose& T_map_robot,
                            double stamp_s);
+  /// The same with the 3D map the layer is from, which shows the objects that are gone.
+  const SceneGraph& update(const MapView& map, const Pose& T_map_robot, double stamp_s);
+
+  /// Detections of a frame, between two updates; what cannot be used is left out and counted.
+  /// @throws Error when the stamp is not finite.
+  void observeObjects(const std::vector<Detection>& detections, double stamp_s);
+
+  /// Gives a room a label that stays; an empty one returns to the automatic label.
+  /// @throws Error when there is no such room or the label cannot be one.
+  void setRoomLabel(NodeId room, const std::string& label) { graph_.setRoomLabel(room, label); }
 
   /// A pose between two updates: may become an agent.
   /// @throws Error when the pose or the stamp is not finite.
@@ -46,12 +60,13 @@ class RoomPipeline {
   /// Maintains the rooms a last time, when no later update can confirm or refute anything.
   /// @throws Error when the stamp is not finite.
   void finish(double stamp_s);
+  void finish(double stamp_s, const MapView& map);
 
   [[nodiscard]] const TrackedRegions& regions() const { return tracker_.regions(); }
   [[nodiscard]] const SceneGraph& graph() const { return graph_.graph(); }
   [[nodiscard]] std::optional<NodeId> currentRoom() const { return graph_.currentRoom(); }
   [[nodiscard]] std::optional<double> lastUpdate() const { return last_update_s_; }
-  [[nodiscard]] const RoomCounts& counts() const { return counts_; }
+  [[nodiscard]] RoomCounts counts() const;
   /// Durations so far, and the memory each stage's result holds now.
   [[nodiscard]] StageTimes times() const;
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "occusg/graph/scene_graph.hpp"
+
+namespace occusg {
+
+/// Questions to a scene graph. Ties go to the smaller id.
+
+/// The room whose polygon holds `point`, the smallest of nested ones; else the nearest one at most
+/// `tolerance_m` away.
+[[nodiscard]] std::optional<NodeId> roomAt(const SceneGraph& graph, const Point2& point,
+                                           double tolerance_m = 0.0);
+
+/// The objects in a room, by id. Empty when there is no such room.
+[[nodiscard]] std::vector<NodeId> objectsIn(const SceneGraph& graph, NodeId room);
+
+/// The object of the class (compared by `classKey`) nearest to `point` in the ground plane.
+[[nodiscard]] std::optional<NodeId> nearestObject(const SceneGraph& graph,
+                                                  const std::string& class_name,
+                                                  const Point2& point);
+
+struct AdjacentRoom {
+  NodeId room = 0;
+  std::vector<NodeId> doors;  ///< That lead there, by id.
+};
+
+/// The rooms beside a room and the doors to them, by id. Empty when there is no such room.
+[[nodiscard]] std::vector<AdjacentRoom> adjacentRooms(const SceneGraph& graph, NodeId room);
+
+/// A way through free space.
+struct Route {
+  std::vector<NodeId> nodes;  ///< Navigation nodes in the order of travel.
+  std::vector<NodeId> rooms;  ///< In the order they are entered; the first holds the start.
+  std::vector<NodeId> doors;  ///< Passed between rooms that are joined by one, in order.
+  double length_m = 0.0;      ///< From point to point in the ground plane [m].
+};
+
+/// The shortest way over the traversable edges, from the navigation node nearest to `from` to the
+/// one nearest to `to` (A*, Hart et al. 1968); a node of the room the point is in goes before a
+/// nearer one behind a wall. Empty when a point has no node within `max_reach_m`, or no way leads
+/// from the one to the other.
+[[nodiscard]] std::optional<Route> shortestRoute(const SceneGraph& graph, const Point2& from,
+                                                 const Point2& to, double max_reach_m = 2.0);
+
+}  // namespace occusg

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "occusg/graph/navigation_block.hpp"
+#include "occusg/graph/scene_graph.hpp"
+
+namespace occusg {
+
+/// What stands for a block of free space.
+enum class NavigationNodes {
+  /// One node in the middle of the block, wall or not; two blocks are joined when free cells of the
+  /// two lead from one to the other, corners of obstacles cut or not (paper, Sec. 3.4).
+  kOnePerBlock,
+  /// One node on each connected part of its free cells, joined to the parts it touches; a step past
+  /// a corner needs the cells on both sides of it free.
+  kOnePerPart,
+};
+
+struct NavigationLayerConfig {
+  int block_cells = 15;     ///< Side of a block [cells], 2..64.
+  int min_free_cells = 25;  ///< A node is made when it stands for so many free cells.
+  int min_kept_cells = 15;  ///< And removed when they are fewer; zero: never.
+  NavigationNodes nodes = NavigationNodes::kOnePerPart;
+};
+
+/// Navigation nodes on a lattice of blocks aligned to world zero, and the traversable edges between
+/// them (paper, Sec. 3.4). Only blocks in which a cell became free or stopped being so are touched.
+class NavigationLayer {
+ public:
+  /// @param floor_z_m height of the nodes in the map frame [m].
+  /// @throws Error when a value is out of range.
+  NavigationLayer(const NavigationLayerConfig& config, double floor_z_m);
+
+  /// Brings nodes and edges up to date. The graph's navigation nodes belong to this layer.
+  /// @param changed bounds of the cells that differ from the layer of the last call.
+  void update(SceneGraph& graph, const FreeSpace& layer, const CellBox& changed, double stamp_s);
+
+  /// How many blocks the last update found changed.
+  [[nodiscard]] std::size_t changedBlocks() const { return changed_blocks_; }
+
+ private:
+  using BlockPair = std::pair<Cell, Cell>;
+  struct WantedSite {
+    NavigationBlock::Part part = NavigationBlock::kNoPart;
+    int free_cells = 0;
+    Cell cell;
+    std::optional<NodeId> node;  ///< The one it had; empty: a new one.
+  };
+
+  [[nodiscard]] CellNeighbours neighbours() const;
+  [[nodiscard]] const NavigationBlock& blockAt(const Cell& index) const;
+  [[nodiscard]] bool deservesNode(int free_cells, bool has_node) const;
+  [[nodiscard]] std::vector<WantedSite> sitesInParts(const NavigationBlock& old,
+                                                     const NavigationBlock& fresh) const;
+  [[nodiscard]] std::vector<WantedSite> siteOfBlock(const NavigationBlock& old,
+                                                    const NavigationBlock& fresh,
+                                                    const Cell& index) const;
+  [[nodiscard]] bool areJoined(const BlockPair& blocks, NavigationBlock::Part a,
+                               NavigationBlock::Part b) const;
+  [[nodiscard]] bool cutsCorner(const BlockPair& blocks) const;
+
+  void replaceBlock(SceneGraph& graph, const FreeSpace& layer, const Cell& index,
+                    NavigationBlock fresh, double stamp_s);
+  NodeId place(SceneGraph& graph, const FreeSpace& layer, const Cell& index,
+               const NavigationBlock& fresh, const WantedSite& site, double stamp_s) const;
+  void joinBlocks(SceneGraph& graph, const BlockPair& blocks) const;
+
+  NavigationLayerConfig config_;
+  double floor_z_m_;
+  std::map<Cell, NavigationBlock> blocks_;  ///< Those with a free cell or a node.
+  std::size_t changed_blocks_ = 0;
+};
+
+}  // namespace occusg

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "occusg/graph/scene_graph.hpp"
+#include "occusg/graph/spatial_index.hpp"
+#include "occusg/perception/detection.hpp"
+
+namespace octomap {
+class OcTree;
+}
+
+namespace occusg {
+
+enum class ObjectMemory {
+  /// An object keeps what was first seen of it; later detections are only counted (paper,
+  /// Sec. 3.4).
+  kFirstSight,
+  /// Detections of overlapping boxes make up one object: mean place, common box, class histogram.
+  kRunning,
+};
+
+enum class GhostRemoval {
+  kNever,
+  kSeenThrough,  ///< An object goes when the space it filled has been seen to be free.
+};
+
+struct ObjectLayerConfig {
+  ObjectMemory memory = ObjectMemory::kRunning;
+  double merge_distance_m = 0.75;    ///< kFirstSight: same class so near is one object [m], 3D.
+  double flicker_distance_m = 0.15;  ///< kFirstSight: so near is one object of any class [m].
+  /// kRunning: same class with so much of the smaller box in common is one object, 0..1.
+  double min_common_box = 0.3;
+  GhostRemoval ghosts = GhostRemoval::kSeenThrough;
+  int ghost_checks = 3;              ///< So many looks in a row must find the space free.
+  double max_link_distance_m = 1.0;  ///< To the nearest navigation node [m].
+};
+
+/// Most detections taken from one frame; those of the best score.
+inline constexpr std::size_t kMaxDetectionsPerFrame = 300;
+
+struct ObjectCounts {
+  std::size_t detections = 0;  ///< Taken.
+  std::size_t refused = 0;     ///< A NaN, an empty box, or a score outside 0..1.
+  std::size_t over_limit = 0;  ///< Beyond `kMaxDetectionsPerFrame`.
+  std::size_t merged = 0;      ///< Objects found to be one with another.
+  std::size_t ghosts = 0;      ///< Objects removed because their space is free.
+};
+
+/// Detections -> object nodes.
+class ObjectLayer {
+ public:
+  explicit ObjectLayer(const ObjectLayerConfig& config);
+
+  /// Takes the detections of a frame. What cannot be used is counted and left out.
+  void observe(SceneGraph& graph, const std::vector<Detection>& detections, double stamp_s);
+
+  /// Looks for ghosts among the objects within `radius_m` of `center`, some at each call in turn,
+  /// so that the cost of a call is bounded.
+  void removeGhosts(SceneGraph& graph, const octomap::OcTree& map, const Point2& center,
+                    double radius_m);
+
+  [[nodiscard]] const ObjectCounts& counts() const { return counts_; }
+
+ private:
+  [[nodiscard]] std::optional<NodeId> matchAtFirstSight(const SceneGraph& graph,
+                                                        const Detection& detection) const;
+  [[nodiscard]] std::optional<NodeId> matchByBox(const SceneGraph& graph,
+                                                 const Detection& detection) const;
+  void add(SceneGraph& graph, const Detection& detection, double stamp_s);
+  void absorb(SceneGraph& graph, NodeId object, const Detection& detection, double stamp_s);
+  void mergeDuplicates(SceneGraph& graph, NodeId object);
+  void remove(SceneGraph& graph, NodeId object);
+
+  ObjectLayerConfig config_;
+  SpatialIndex boxes_;                 ///< Of the objects, in the ground plane.
+  std::map<NodeId, int> free_checks_;  ///< How often in a row an object's space was found free.
+  NodeId last_checked_ = 0;
+  ObjectCounts counts_;
+};
+
+}  // namespace occusg

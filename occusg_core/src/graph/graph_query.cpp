@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/graph/graph_query.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "occusg/graph/class_key.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::optional<NodeId> nodeFor(const SceneGraph& graph, const Point2& point, double max_reach_m) {
+  const std::optional<NodeId> room = roomAt(graph, point);
+  const auto inRoom = [&](const Node& node) { return graph.roomOf(node.id) == room; };
+  if (room) {
+    const auto node = graph.nearest(NodeType::kNavigation, point, max_reach_m, inRoom);
+    if (node) return node;
+  }
+  return graph.nearest(NodeType::kNavigation, point, max_reach_m);
+}
+
+Point2 placeOf(const SceneGraph& graph, NodeId id) { return graph.at(id).groundPosition(); }
+
+/// Nodes from `from` to `to`; empty when no way leads there.
+std::vector<NodeId> shortestWay(const SceneGraph& graph, NodeId from, NodeId to) {
+  struct Reached {
+    double length_m = kInfinity;
+    NodeId before = 0;
+  };
+  const Point2 goal = placeOf(graph, to);
+  std::unordered_map<NodeId, Reached> reached;
+  using Open = std::tuple<double, NodeId, double>;  // least possible length, node, length so far
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+  reached[from] = {0.0, from};
+  open.emplace(distance(placeOf(graph, from), goal), from, 0.0);
+  while (!open.empty()) {
+    const auto [bound_m, id, length_m] = open.top();
+    open.pop();
+    if (length_m > reached[id].length_m) continue;
+    if (id == to) break;
+    const Point2 at = placeOf(graph, id);
+    for (const NodeId next : graph.targets(EdgeType::kTraversable, id)) {
+      const Point2 there = placeOf(graph, next);
+      const double next_m = length_m + distance(at, there);
+      Reached& entry = reached[next];
+      if (next_m >= entry.length_m) continue;
+      entry = {next_m, id};
+      open.emplace(next_m + distance(there, goal), next, next_m);
+    }
+  }
+  std::vector<NodeId> way;
+  if (reached.count(to) == 0) return way;
+  for (NodeId id = to; id != from; id = reached[id].before) way.push_back(id);
+  way.push_back(from);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::optional<NodeId> doorBetween(const SceneGraph& graph, NodeId a, NodeId b, const Point2& at) {
+  const NodeId first = std::min(a, b);
+  const NodeId second = std::max(a, b);
+  return graph.nearest(NodeType::kDoor, at, kInfinity, [&](const Node& node) {
+    const auto& door = std::get<DoorAttributes>(node.attributes);
+    return door.room_a == first && door.room_b == second;
+  });
+}
+
+}  // namespace
+
+std::optional<NodeId> roomAt(const SceneGraph& graph, const Point2& point, double tolerance_m) {
+  if (!std::isfinite(point.x) || !std::isfinite(point.y)) return std::nullopt;
+  // Inside comes first, then the smaller room; outside the nearer one.
+  std::optional<std::tuple<bool, double, NodeId>> best;
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
+    const auto& room = std::get<RoomAttributes>(node.attributes);
+    if (room.polygon.outer.empty()) continue;
+    const double distance_m = distance(room.polygon, point);
+    if (!(distance_m <= tolerance_m)) continue;
+    const bool is_outside = distance_m > 0.0;
+    const std::tuple<bool, double, NodeId> candidate{is_outside,
+                                                     is_outside ? distance_m : room.area_m2, id};
+    if (!best || candidate < *best) best = candidate;
+  }
+  if (!best) return std::nullopt;
+  return std::get<2>(*best);
+}
+
+std::vector<NodeId> objectsIn(const SceneGraph& graph, NodeId room) {
+  std::vector<NodeId> objects;
+  for (const NodeId member : graph.targets(EdgeType::kContains, room))
+    if (graph.at(member).type() == NodeType::kObject) objects.push_back(member);
+  return objects;
+}
+
+std::optional<NodeId> nearestObject(const SceneGraph& graph, const std::string& class_name,
+                                    const Point2& point) {
+  const std::string key = classKey(class_name);
+  return graph.nearest(NodeType::kObject, point, kInfinity, [&](const Node& node) {
+    return classKey(std::get<ObjectAttributes>(node.attributes).class_name) == key;
+  });
+}
+
+std::vector<AdjacentRoom> adjacentRooms(const SceneGraph& graph, NodeId room) {
+  std::map<NodeId, std::vector<NodeId>> doors_to;
+  for (const NodeId beside : graph.targets(EdgeType::kRoomAdjacency, room)) doors_to[beside];
+  for (const auto& [id, node] : graph.nodes(NodeType::kDoor)) {
+    const auto& door = std::get<DoorAttributes>(node.attributes);
+    if (door.room_a != room && door.room_b != room) continue;
+    const auto to = doors_to.find(door.room_a == room ? door.room_b : door.room_a);
+    if (to != doors_to.end()) to->second.push_back(id);
+  }
+  std::vector<AdjacentRoom> rooms;
+  for (auto& [beside, doors] : doors_to) rooms.push_back({beside, std::move(doors)});
+  return rooms;
+}
+
+std::optional<Route> shortestRoute(const SceneGraph& graph, const Point2& from, const Point2& to,
+                                   double max_reach_m) {
+  const std::optional<NodeId> first = nodeFor(graph, from, max_reach_m);
+  const std::optional<NodeId> last = nodeFor(graph, to, max_reach_m);
+  if (!first || !last) return std::nullopt;
+  Route route;
+  route.nodes = shortestWay(graph, *first, *last);
+  if (route.nodes.empty()) return std::nullopt;
+  Point2 at = from;
+  for (const NodeId id : route.nodes) {
+    const Point2 next = placeOf(graph, id);
+    route.length_m += distance(at, next);
+    const std::optional<NodeId> room = graph.roomOf(id);
+    if (room && (route.rooms.empty() || route.rooms.back() != *room)) {
+      const auto door = route.rooms.empty()
+                            ? std::nullopt
+                            : doorBetween(graph, route.rooms.back(), *room, midpoint({at, next}));
+      if (door) route.doors.push_back(*door);
+      route.rooms.push_back(*room);
+    }
+    at = next;
+  }
+  route.length_m += distance(at, to);
+  return route;
+}
+
+}  // namespace occusg

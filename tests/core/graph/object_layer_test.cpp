@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/graph/object_layer.hpp"
+
+#include <gtest/gtest.h>
+#include <octomap/OcTree.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "occusg/graph/free_space_links.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A cube of side 0.4 m around (x, 0, 0.5).
+Detection seen(const std::string& class_name, double x, double side_m = 0.4) {
+  Detection detection;
+  detection.class_name = class_name;
+  detection.score = 0.8;
+  detection.centroid = {x, 0.0, 0.5};
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(side_m / 2.0);
+  detection.box = {Eigen::Vector3d(detection.centroid - half),
+                   Eigen::Vector3d(detection.centroid + half)};
+  return detection;
+}
+
+ObjectLayerConfig paper() {
+  ObjectLayerConfig config;
+  config.memory = ObjectMemory::kFirstSight;
+  config.ghosts = GhostRemoval::kNever;
+  return config;
+}
+
+std::size_t objectsAfter(const ObjectLayerConfig& config,
+                         const std::vector<Detection>& detections) {
+  SceneGraph graph;
+  ObjectLayer layer(config);
+  for (const Detection& detection : detections) layer.observe(graph, {detection}, 1.0);
+  return graph.nodes(NodeType::kObject).size();
+}
+
+const ObjectAttributes& onlyObject(const SceneGraph& graph) {
+  return std::get<ObjectAttributes>(graph.nodes(NodeType::kObject).begin()->second.attributes);
+}
+
+TEST(ObjectLayer, Row18SameClassWithinThreeQuartersOfAMetreMerges) {
+  EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("chair", 0.74)}), 1U);
+  EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("chair", 0.76)}), 2U);
+  EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen(" Chair", 0.5)}), 1U);
+  EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("table", 0.5)}), 2U);
+}
+
+TEST(ObjectLayer, Row18UnlabelledObjectsStayDistinct) {
+  EXPECT_EQ(objectsAfter(paper(), {seen("", 0.0), seen("", 0.3)}), 2U);
+  EXPECT_EQ(objectsAfter({}, {seen("", 0.0), seen("", 0.3)}), 2U);
+}
+
+TEST(ObjectLayer, PaperTakesAnyClassWithinFifteenCentimetresForFlicker) {
+  EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("table", 0.14)}), 1U);
+  EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("table", 0.16)}), 2U);
+}
+
+TEST(ObjectLayer, PaperFreezesAnObjectAtFirstSight) {
+  SceneGraph graph;
+  ObjectLayer layer(paper());
+  layer.observe(graph, {seen("chair", 0.0)}, 1.0);
+  Detection later = seen("chair", 0.2, 0.8);
+  later.score = 0.95;
+  layer.observe(graph, {later}, 5.0);
+  const Node& node = graph.nodes(NodeType::kObject).begin()->second;
+  EXPECT_EQ(node.position.x(), 0.0);
+  EXPECT_EQ(node.last_seen_s, 5.0);
+  EXPECT_EQ(onlyObject(graph).score, 0.8);
+  EXPECT_NEAR(onlyObject(graph).box.sizes().x(), 0.4, 1e-12);
+  EXPECT_EQ(onlyObject(graph).observations, 2);
+}
+
+TEST(ObjectLayer, KeepsMeanPlaceCommonBoxAndHistogram) {
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  layer.observe(graph, {seen("chair", 0.0)}, 1.0);
+  layer.observe(graph, {seen("chair", 0.1)}, 2.0);
+  layer.observe(graph, {seen("stool", 0.05)}, 3.0);
+  ASSERT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+  const Node& node = graph.nodes(NodeType::kObject).begin()->second;
+  EXPECT_NEAR(node.position.x(), 0.05, 1e-12);
+  EXPECT_NEAR(onlyObject(graph).box.min().x(), -0.2, 1e-12);
+  EXPECT_NEAR(onlyObject(graph).box.max().x(), 0.3, 1e-12);
+  EXPECT_EQ(onlyObject(graph).class_name, "chair");
+  EXPECT_NEAR(onlyObject(graph).class_histogram.at("chair"), 1.6, 1e-12);
+  EXPECT_NEAR(onlyObject(graph).class_histogram.at("stool"), 0.8, 1e-12);
+  EXPECT_EQ(onlyObject(graph).observations, 3);
+  layer.observe(graph, {seen("stool", 0.05), seen("stool", 0.05)}, 4.0);
+  EXPECT_EQ(onlyObject(graph).class_name, "stool") << "seen three times by now";
+}
+
+TEST(ObjectLayer, NeighboursOfAClassStayApart) {
+  EXPECT_EQ(objectsAfter({}, {seen("chair", 0.0), seen("chair", 0.5)}), 2U);
+}
+
+TEST(ObjectLayer, AnObjectFirstSeenInPiecesBecomesOne) {
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  layer.observe(graph, {seen("sofa", -0.8, 0.6), seen("sofa", 0.8, 0.6)}, 1.0);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 2U);
+  Detection whole = seen("sofa", 0.0, 0.6);
+  whole.box.extend(seen("sofa", -0.8, 0.6).box);
+  whole.box.extend(seen("sofa", 0.8, 0.6).box);
+  layer.observe(graph, {whole}, 2.0);
+  ASSERT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).begin()->first, firstId(NodeType::kObject));
+  EXPECT_EQ(onlyObject(graph).observations, 3);
+  EXPECT_EQ(layer.counts().merged, 1U);
+}
+
+TEST(ObjectLayer, RefusesAndCountsWhatIsNoDetection) {
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  std::vector<Detection> bad(6, seen("chair", 0.0));
+  bad[0].centroid.x() = kNaN;
+  bad[1].score = kNaN;
+  bad[2].score = 1.5;
+  bad[3].box.setEmpty();
+  bad[4].box.max().z() = std::numeric_limits<double>::infinity();
+  bad[5].box.extend(Eigen::Vector3d(1e6, 0.0, 0.0));
+  layer.observe(graph, bad, 1.0);
+  EXPECT_EQ(layer.counts().refused, 6U);
+  EXPECT_EQ(graph.nodeCount(), 0U);
+  EXPECT_EQ(graph.revision(), 0U) << "the live graph is untouched";
+}
+
+TEST(ObjectLayer, AHundredThousandDetectionsInAFrameAreCapped) {
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  std::vector<Detection> flood(100'000, seen("chair", 0.0));
+  for (std::size_t i = 0; i < flood.size(); ++i) flood[i].score = i == 77'777 ? 0.9 : 0.5;
+  flood[77'777].centroid.x() = 9.0;
+  layer.observe(graph, flood, 1.0);
+  EXPECT_EQ(layer.counts().detections, kMaxDetectionsPerFrame);
+  EXPECT_EQ(layer.counts().over_limit, 100'000U - kMaxDetectionsPerFrame);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+  EXPECT_GT(onlyObject(graph).score, 0.5) << "the best is among those taken";
+}
+
+/// A map in which the cube [0, 2]^3 is known.
+octomap::OcTree cubeOf(bool occupied) {
+  octomap::OcTree map(0.05);
+  for (double z = 0.025; z < 2.0; z += 0.05)
+    for (double y = 0.025; y < 2.0; y += 0.05)
+      for (double x = 0.025; x < 2.0; x += 0.05) map.updateNode(x, y, z, occupied, true);
+  map.updateInnerOccupancy();
+  return map;
+}
+
+TEST(ObjectLayer, AnObjectSeenThroughThreeTimesInARowIsAGhost) {
+  Detection chair = seen("chair", 1.0);
+  chair.centroid = {1.0, 1.0, 1.0};
+  chair.box = {Eigen::Vector3d(0.8, 0.8, 0.8), Eigen::Vector3d(1.2, 1.2, 1.2)};
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  layer.observe(graph, {chair}, 1.0);
+  const octomap::OcTree empty_space = cubeOf(false);
+  const octomap::OcTree solid = cubeOf(true);
+  const octomap::OcTree unknown(0.05);
+  layer.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  layer.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  layer.removeGhosts(graph, solid, {0.0, 0.0}, 8.0);
+  for (int i = 0; i < 5; ++i) layer.removeGhosts(graph, unknown, {0.0, 0.0}, 8.0);
+  for (int i = 0; i < 5; ++i) layer.removeGhosts(graph, empty_space, {50.0, 0.0}, 8.0);
+  layer.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  layer.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+  layer.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  EXPECT_TRUE(graph.nodes(NodeType::kObject).empty());
+  EXPECT_EQ(layer.counts().ghosts, 1U);
+
+  ObjectLayer keeper(paper());
+  keeper.observe(graph, {chair}, 1.0);
+  for (int i = 0; i < 5; ++i) keeper.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+}
+
+TEST(FreeSpaceLinks, AnObjectIsLinkedToTheNearestNodeWithinReach) {
+  SceneGraph graph;
+  FreeSpaceLinks links(1.0);
+  const NodeId object = graph.add({0, 0, 0}, 1.0, ObjectAttributes{}).id;
+  const NodeId far = graph.add({1.01, 0, 0}, 1.0, NavigationAttributes{}).id;
+  links.update(graph);
+  EXPECT_TRUE(graph.targets(EdgeType::kNearestFreeSpace, object).empty());
+  const NodeId near = graph.add({0.9, 0, 0}, 1.0, NavigationAttributes{}).id;
+  links.update(graph);
+  EXPECT_EQ(graph.targets(EdgeType::kNearestFreeSpace, object), std::vector<NodeId>{near});
+  graph.add({0.0, 0.86, 0}, 1.0, NavigationAttributes{});
+  links.update(graph);
+  EXPECT_EQ(graph.targets(EdgeType::kNearestFreeSpace, object), std::vector<NodeId>{near})
+      << "four centimetres are no reason";
+  const NodeId nearest = graph.add({0.0, 0.8, 0}, 1.0, NavigationAttributes{}).id;
+  links.update(graph);
+  EXPECT_EQ(graph.targets(EdgeType::kNearestFreeSpace, object), std::vector<NodeId>{nearest});
+  graph.remove(nearest);
+  graph.remove(far);
+  links.update(graph);
+  EXPECT_EQ(graph.targets(EdgeType::kNearestFreeSpace, object).size(), 1U);
+}
+
+}  // namespace
+}  // namespace occusg
