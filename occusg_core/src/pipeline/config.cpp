@@ -71,13 +71,13 @@ void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerC
        "map"}));
 
   ColumnEvidenceConfig& evidence = layer.evidence;
+  list.push_back(
+      numberParameter(evidence.ceiling_height_m, {0.1, 100.0},
+                      {"mapping.evidence.ceiling_height_m", "m",
+                       "Evidence on a column is taken up to this height above the floor.", ""}));
   list.push_back(numberParameter(
-      evidence.ceiling_height_m, {0.1, 100.0},
-      {"mapping.evidence.ceiling_height_m", "m",
-       "Evidence on a column is taken up to this height above the floor.", ""}));
-  list.push_back(numberParameter(evidence.body_bottom_m, {0.0, 100.0},
-                                 {"mapping.evidence.body_bottom_m", "m",
-                                  "Lower end of the body band, above the floor.", ""}));
+      evidence.body_bottom_m, {0.0, 100.0},
+      {"mapping.evidence.body_bottom_m", "m", "Lower end of the body band, above the floor.", ""}));
   list.push_back(numberParameter(
       evidence.body_top_m, {0.01, 100.0},
       {"mapping.evidence.body_top_m", "m", "Upper end of the body band, above the floor.", ""}));
@@ -109,6 +109,10 @@ void addConstriction(Parameters& list, ConstrictionDecomposerConfig& constrictio
   list.push_back(numberParameter(
       constriction.door_reach_m, {0.0, 100.0},
       {"regions.constriction.door_reach_m", "m", "Within this distance of the passage."}));
+  list.push_back(numberParameter(
+      constriction.highest_lintel_m, {0.0, 10.0},
+      {"regions.constriction.highest_lintel_m", "m",
+       "Something overhead from 1.7 m up to here above the floor separates two regions."}));
   list.push_back(numberParameter(constriction.min_region_area_m2, {0.0, 1e6},
                                  {"regions.constriction.min_region_area_m2", "m2",
                                   "Smaller regions join a neighbour or are dropped."}));
