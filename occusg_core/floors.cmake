@@ -64,6 +64,7 @@ occusg_add_floor(regions
     dude_symmetry.cpp
     dude_trace.cpp
     label_regions.cpp
+    lintels.cpp
     passages.cpp
     region_tracker.cpp
     straight_cuts.cpp

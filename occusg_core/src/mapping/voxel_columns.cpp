@@ -50,14 +50,18 @@ std::array<std::uint8_t, 64> columnsOfBlock(const std::array<std::uint64_t, 8>& 
   return columns;
 }
 
-std::size_t placeOf(const Cell& tile, int cell) {
-  return static_cast<std::size_t>(((tile.y + kZeroBlock) / cell) * (2 * kZeroBlock / cell) +
-                                  (tile.x + kZeroBlock) / cell);
+/// Row-major place of a cell of a square.
+std::size_t placeIn(int side, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+}
+
+std::size_t placeInDirectory(const Cell& tile) {
+  return placeIn(kDirectorySide, (tile.x + kZeroBlock) / kPageSide,
+                 (tile.y + kZeroBlock) / kPageSide);
 }
 
 std::size_t placeInPage(const Cell& tile) {
-  return static_cast<std::size_t>(((tile.y + kZeroBlock) % kPageSide) * kPageSide +
-                                  (tile.x + kZeroBlock) % kPageSide);
+  return placeIn(kPageSide, (tile.x + kZeroBlock) % kPageSide, (tile.y + kZeroBlock) % kPageSide);
 }
 
 /// Number of blocks at or below the nodes that stand for voxels, at most `cap` + 1.
@@ -138,9 +142,10 @@ void VoxelColumns::addBlocks(const std::array<int, 3>& corner, int side,
                              const BlockChange& change) {
   const Cell first{floorOfBlock(corner[0]), floorOfBlock(corner[1])};
   const int lowest = floorOfBlock(corner[2]);
-  for (int y = 0; y < side; ++y)
+  for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x)
       for (int z = 0; z < side; ++z) (void)apply({first.x + x, first.y + y}, lowest + z, change);
+  }
 }
 
 VoxelColumns::VoxelColumns() { clear(); }
@@ -186,9 +191,9 @@ std::vector<Cell> VoxelColumns::knownColumns() const {
       const bool is_known = std::any_of(
           tile.slabs.begin(), tile.slabs.end(),
           [byte](const Slab& slab) { return (slab.free[byte] | slab.occupied[byte]) != 0; });
-      if (is_known)
-        columns.push_back(
-            {kBlockSide * tile.name.x + i % kBlockSide, kBlockSide * tile.name.y + i / kBlockSide});
+      if (!is_known) continue;
+      columns.push_back(
+          {kBlockSide * tile.name.x + i % kBlockSide, kBlockSide * tile.name.y + i / kBlockSide});
     }
   }
   return columns;
@@ -216,14 +221,14 @@ bool operator==(const VoxelColumns& a, const VoxelColumns& b) {
 }
 
 const VoxelColumns::Tile* VoxelColumns::find(const Cell& name) const {
-  const std::uint32_t page = directory_[placeOf(name, kPageSide)];
+  const std::uint32_t page = directory_[placeInDirectory(name)];
   if (page == 0) return nullptr;
   const std::uint32_t tile = pages_[page - 1][placeInPage(name)];
   return tile == 0 ? nullptr : &tiles_[tile - 1];
 }
 
 VoxelColumns::Tile& VoxelColumns::tileAt(const Cell& name) {
-  std::uint32_t& page = directory_[placeOf(name, kPageSide)];
+  std::uint32_t& page = directory_[placeInDirectory(name)];
   if (page == 0) {
     pages_.emplace_back(static_cast<std::size_t>(kPageSide) * kPageSide, 0);
     page = static_cast<std::uint32_t>(pages_.size());

@@ -9,6 +9,7 @@
 #include "occusg/regions/label_regions.hpp"
 #include "regions/basins.hpp"
 #include "regions/clearance.hpp"
+#include "regions/lintels.hpp"
 #include "regions/parameter_check.hpp"
 #include "regions/passages.hpp"
 #include "regions/straight_cuts.hpp"
@@ -65,8 +66,8 @@ Grid<std::int32_t> spreadOver(const CellBox& box, const Grid<std::int32_t>& labe
 /// Labels over the bounds of the free cells; no cells when none is free.
 Grid<std::int32_t> labelsOf(const FreeSpace& layer, const ConstrictionDecomposerConfig& config) {
   const GridFrame& frame = layer.frame;
-  const Clearance clearance =
-      clearanceOf(layer.cells, cellsOf(config.max_filled_obstacle_m2, frame));
+  const Grid<std::int8_t> closed = withLintelsClosed(layer, {1.7, config.highest_lintel_m});
+  const Clearance clearance = clearanceOf(closed, cellsOf(config.max_filled_obstacle_m2, frame));
   if (clearance.open.empty()) return {};
   const std::size_t min_cells = cellsOf(config.min_region_area_m2, frame);
   const double widest_passage_cells = config.widest_door_m / frame.resolution_m;
@@ -76,6 +77,10 @@ Grid<std::int32_t> labelsOf(const FreeSpace& layer, const ConstrictionDecomposer
   basins = withoutSmallPieces(joinedAcrossOpenings(clearance, basins, rules), min_cells);
   Grid<std::int32_t> labels = straightened(clearance, basins, passageCuts(clearance, basins));
   leaveOutIslands(clearance, config.island_footprint, labels);
+  labels = withoutSmallPieces(labels, min_cells);
+  if (config.highest_lintel_m == 0.0) return labels;
+  // What is small between its doors may be a room with its share of them.
+  openLintels(layer.cells, closed, labels);
   return withoutSmallPieces(labels, min_cells);
 }
 
@@ -88,6 +93,7 @@ ConstrictionDecomposer::ConstrictionDecomposer(const ConstrictionDecomposerConfi
   requireRange(where + "shallowest_basin_ratio", config.shallowest_basin_ratio, 0.01, 1.0);
   requireRange(where + "door_widening", config.door_widening, 1.0, 100.0);
   requireRange(where + "door_reach_m", config.door_reach_m, 0.0, 100.0);
+  requireRange(where + "highest_lintel_m", config.highest_lintel_m, 0.0, 10.0);
   requireRange(where + "min_region_area_m2", config.min_region_area_m2, 0.0, 1e6);
   requireRange(where + "min_crossing_m", config.min_crossing_m, 0.0, 100.0);
   requireRange(where + "max_filled_obstacle_m2", config.max_filled_obstacle_m2, 0.0, 1e6);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "error_sentence.hpp"
@@ -32,6 +33,37 @@ TEST(ConstrictionDecomposer, PassageWiderThanTheWidestDoorDoesNotSeparate) {
   config.widest_door_m = 1.5;
   EXPECT_EQ(regionCount(twoRooms(1.4), config), 2U);
   EXPECT_EQ(regionCount(twoRooms(1.6), config), 1U);
+}
+
+/// Two rooms of 4 m open to each other over their whole width, with something overhead in between.
+FreeSpace roomsUnderALintel(int lintel_voxels) {
+  FreeSpace layer = solid(8.6, 4.4);
+  fill(layer, 0.2, 0.2, 8.4, 4.2);
+  ColumnEvidence under_lintel;
+  under_lintel.floor = 0;
+  under_lintel.gap_top = static_cast<std::uint16_t>(lintel_voxels);
+  under_lintel.overhead = Overhead::kOccupied;
+  for (int y = 4; y < 84; ++y)
+    for (int x = 84; x < 88; ++x) layer.evidence.touch({x, y}) = under_lintel;
+  return layer;
+}
+
+TEST(ConstrictionDecomposer, LintelSeparatesRoomsWhenAskedTo) {
+  ConstrictionDecomposerConfig config;
+  EXPECT_EQ(regionCount(roomsUnderALintel(40), config), 1U);
+  config.highest_lintel_m = 2.15;
+  const Decomposition result = decompose(roomsUnderALintel(40), config);
+  ASSERT_EQ(result.regions.size(), 2U);
+  EXPECT_NEAR(result.regions[0].area_m2, 16.4, 1e-6);  // the floor below the lintel is shared
+  EXPECT_NEAR(result.regions[1].area_m2, 16.4, 1e-6);
+  EXPECT_EQ(result.crossings.size(), 1U);
+}
+
+TEST(ConstrictionDecomposer, WhatHangsTooHighOrTooLowIsNoLintel) {
+  ConstrictionDecomposerConfig config;
+  config.highest_lintel_m = 2.15;
+  EXPECT_EQ(regionCount(roomsUnderALintel(44), config), 1U);
+  EXPECT_EQ(regionCount(roomsUnderALintel(33), config), 1U);
 }
 
 TEST(ConstrictionDecomposer, RegionsGetNoFewerAsDoorsMayBeWider) {
