@@ -112,8 +112,7 @@ MapChange OccupancyMap::insert(const RangeImage& image) {
     return insert(toPointCloud(image));
   const Carving carving =
       config_.mode == IntegrationMode::kExact ? Carving::kExact : Carving::kFast;
-  change.columns =
-      integrate(carver_->carve(*rays_, image, *tree_, *settled_, carving, *workers_));
+  change.columns = integrate(carver_->carve(*rays_, image, *tree_, *settled_, carving, *workers_));
   return change;
 }
 

@@ -40,7 +40,7 @@ struct OccupancyMapConfig {
   double min_probability = 0.12;  ///< Lower clamp, (0, 0.5).
   double max_probability = 0.97;  ///< Upper clamp, (0.5, 1).
   IntegrationMode mode = IntegrationMode::kExact;
-  int threads = 1;             ///< That share a frame, [1, kMaxThreads]; results do not depend on it.
+  int threads = 1;  ///< That share a frame, [1, kMaxThreads]; results do not depend on it.
   double max_memory_mb = 2048.0;  ///< The tree takes no more frames beyond it [MiB], positive.
 };
 
@@ -55,8 +55,8 @@ struct MapChange {
   std::vector<Cell> columns;
   std::size_t points_outside_map = 0;  ///< Beyond OctoMap's 16-bit keys or not finite; ignored.
   bool origin_outside_map = false;     ///< The whole frame was ignored.
-  bool origin_occupied = false;   ///< So it was: the sensor stood in an occupied voxel.
-  bool no_rays = false;           ///< Nothing was measured.
+  bool origin_occupied = false;        ///< So it was: the sensor stood in an occupied voxel.
+  bool no_rays = false;                ///< Nothing was measured.
   bool memory_exhausted = false;  ///< The whole frame was ignored: the map has reached its limit.
 
   /// Whether the frame reached the map at all.
@@ -109,7 +109,7 @@ class OccupancyMap {
   std::unique_ptr<FrameCarver> carver_;
   std::unique_ptr<SettledVoxels> settled_;
   std::unique_ptr<Workers> workers_;
-  octomap::KeyRay ray_;                 ///< Reused between rays.
+  octomap::KeyRay ray_;  ///< Reused between rays.
 };
 
 }  // namespace occusg

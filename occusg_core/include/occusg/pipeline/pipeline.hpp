@@ -24,9 +24,9 @@ struct PipelineCounts {
   PixelDrops pixel_drops;
   std::size_t points_outside_map = 0;
   std::size_t frames_outside_map = 0;
-  std::size_t frames_without_depth = 0;       ///< Not one pixel had a depth.
-  std::size_t frames_from_occupied = 0;       ///< The camera was in an occupied voxel.
-  std::size_t frames_without_memory = 0;      ///< The map had reached its limit.
+  std::size_t frames_without_depth = 0;   ///< Not one pixel had a depth.
+  std::size_t frames_from_occupied = 0;   ///< The camera was in an occupied voxel.
+  std::size_t frames_without_memory = 0;  ///< The map had reached its limit.
   std::size_t region_updates = 0;
   std::size_t rejected_region_updates = 0;  ///< By the acceptance guard.
 };
