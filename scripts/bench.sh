@@ -1,34 +1,42 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds Release and runs a benchmark; the last line is one JSON object of medians.
+# Builds Release and runs benchmarks; the last line is one JSON object.
 # Usage: scripts/bench.sh decomposition [MAPS]   MAPS: folder of 2D maps, left out when not given
+#        scripts/bench.sh mapping [RECORDINGS]   RECORDINGS: folder of RGB-D sequences, likewise
 #        scripts/bench.sh graph                  one update of scene graphs of 10 to 1000 rooms
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-if [ "${1:-}" = graph ] && [ $# -eq 1 ]; then
-  "$root/scripts/install_dependencies.sh" --for-development >&2
-  mkdir -p "$root/build"
-  "$root/scripts/build.sh" > "$root/build/bench.log" 2>&1 || {
-    tail -n 40 "$root/build/bench.log" >&2
-    exit 1
-  }
-  exec "$root/build/release/benchmarks/graph_benchmark"
-fi
-if [ "${1:-}" != decomposition ] || [ $# -gt 2 ]; then
-  echo "usage: scripts/bench.sh decomposition [MAPS] | graph" >&2
+what=${1:-}
+if [[ ! "$what" =~ ^(decomposition|mapping|graph)$ ]] || [ $# -gt 2 ] || [[ "$what" = graph && $# -gt 1 ]]; then
+  echo "usage: scripts/bench.sh decomposition [MAPS] | mapping [RECORDINGS] | graph" >&2
   exit 2
 fi
-maps=${2:+$(cd "$2" && pwd)}
+data=${2:+$(cd "$2" && pwd)}
+variable=OCCUSG_MAPS2D_DIR
+if [ "$what" = mapping ]; then variable=OCCUSG_RGBD_DIR; fi
 
 "$root/scripts/install_dependencies.sh" --for-development >&2
-"$root/scripts/build.sh" -DOCCUSG_MAPS2D_DIR="$maps" > "$root/build/bench.log" 2>&1 || {
+"$root/scripts/build.sh" -D$variable="$data" > "$root/build/bench.log" 2>&1 || {
   tail -n 40 "$root/build/bench.log" >&2
   exit 1
 }
-result="$root/build/decomposition_benchmark.json"
-"$root/build/release/benchmarks/decomposition_benchmark" --benchmark_repetitions=5 \
-  --benchmark_report_aggregates_only=true --benchmark_out="$result" --benchmark_out_format=json
-/usr/bin/python3 - "$result" << 'PYTHON'
+
+if [ "$what" = graph ]; then exec "$root/build/release/benchmarks/graph_benchmark"; fi
+
+run() {
+  "$root/build/release/benchmarks/$1" --benchmark_out="$root/build/$1.json" \
+    --benchmark_out_format=json "${@:2}"
+}
+
+if [ "$what" = mapping ]; then
+  run mapping_benchmark
+  run projection_benchmark
+  /usr/bin/python3 "$root/scripts/mapping_ratios.py" "$root"/build/{mapping,projection}_benchmark.json
+  exit
+fi
+
+run decomposition_benchmark --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+/usr/bin/python3 - "$root/build/decomposition_benchmark.json" << 'PYTHON'
 import json
 import sys
 

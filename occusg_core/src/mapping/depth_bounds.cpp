@@ -37,9 +37,7 @@ std::int16_t bestOver(const std::int16_t* table, const PixelBox& box, std::size_
   const int side = 1 << level;
   const int last_x = box.right + 1 - side;
   const int last_y = box.bottom + 1 - side;
-  const auto at = [&](int x, int y) {
-    return table[static_cast<std::ptrdiff_t>(y) * width + x];
-  };
+  const auto at = [&](int x, int y) { return table[static_cast<std::ptrdiff_t>(y) * width + x]; };
   std::int16_t best = better(better(at(box.left, box.top), at(last_x, box.top)),
                              better(at(box.left, last_y), at(last_x, last_y)));
   if (last_x - box.left <= side && last_y - box.top <= side) return best;
@@ -68,8 +66,7 @@ void combine(const std::vector<std::int16_t>& halves, std::vector<std::int16_t>&
 
 }  // namespace
 
-void DepthBounds::build(const std::vector<float>& depth, int width, int height,
-                        Workers& workers) {
+void DepthBounds::build(const std::vector<float>& depth, int width, int height, Workers& workers) {
   width_ = width;
   const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   for (std::size_t level = 0; level < kLevels; ++level) {
@@ -108,14 +105,12 @@ void DepthBounds::quantizeFarthest(const std::vector<float>& depth) {
 
 float DepthBounds::nearest(const PixelBox& box) const {
   const std::size_t level = levelFor(box, kLevels);
-  return unit_ * bestOver(nearest_[level].data(), box, level, width_,
-                          smaller);
+  return unit_ * bestOver(nearest_[level].data(), box, level, width_, smaller);
 }
 
 float DepthBounds::farthest(const PixelBox& box) const {
   const std::size_t level = levelFor(box, kLevels);
-  return unit_ * bestOver(farthest_[level].data(), box, level, width_,
-                          larger);
+  return unit_ * bestOver(farthest_[level].data(), box, level, width_, larger);
 }
 
 }  // namespace occusg

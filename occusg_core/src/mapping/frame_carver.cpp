@@ -16,8 +16,10 @@ constexpr std::uint64_t kAll = ~std::uint64_t{0};
 constexpr std::uint64_t kByte = 0xFF;
 constexpr int kUndivided = 32;  ///< Pixels.
 constexpr int kFastRowStep = 3;
+constexpr int kSampledFrom = 5;         ///< Rows of pixels; of fewer all are looked at.
+constexpr float kShortestPass = 1e-4F;  ///< Share of a ray, above what rounding can make up.
 constexpr int kTasksPerThread = 8;
-constexpr float kDepthSlack = 0.002F;    ///< Voxels.
+constexpr float kDepthSlack = 0.002F;  ///< Voxels.
 constexpr float kPixelSlack = 0.02F;
 constexpr float kNearestSurface = 4.0F;  ///< Voxels; nearer ones are as good as never seen.
 
@@ -205,7 +207,8 @@ std::uint64_t FrameCarver::carveByte(const Block& block, unsigned word, unsigned
   std::uint64_t free = passedByCenter(center);
   for (unsigned i = 0; i < 8; ++i) {
     if (((done | free) >> i & 1U) != 0) continue;
-    if (isFree(partOf(first, i, 1), center + projection_.corners(3)[i])) free |= std::uint64_t{1} << i;
+    if (isFree(partOf(first, i, 1), center + projection_.corners(3)[i]))
+      free |= std::uint64_t{1} << i;
   }
   return free;
 }
@@ -273,9 +276,10 @@ bool FrameCarver::isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, floa
   const float x = static_cast<float>(voxel.x) - origin_[0];
   const float y = static_cast<float>(voxel.y) - origin_[1];
   const float z = static_cast<float>(voxel.z) - origin_[2];
-  const int step = carving_ == Carving::kExact ? 1 : kFastRowStep;
-  for (int row = box.top + (step > 1 ? (box.bottom - box.top) % step / 2 : 0); row <= box.bottom;
-       row += step) {
+  const bool is_sampled = carving_ == Carving::kFast && box.bottom - box.top >= kSampledFrom;
+  const int step = is_sampled ? kFastRowStep : 1;
+  const float shortest = carving_ == Carving::kFast ? kShortestPass : 0.0F;
+  for (int row = box.top + (is_sampled ? 1 : 0); row <= box.bottom; row += step) {
     const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays_->width());
     // The last rays may be those of pixels beyond the box: they are rays all the same.
     for (int column = box.left; column <= box.right; column += kRaysAtOnce) {
@@ -293,7 +297,7 @@ bool FrameCarver::isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, floa
       far = near + at(inverse[2], first);
       enter = enter.max(near.min(far));
       leave = leave.min(near.max(far));
-      if ((leave - enter).min(1.0F - leave).maxCoeff() > 0.0F) return true;
+      if ((leave - enter).min(1.0F - leave).maxCoeff() > shortest) return true;
     }
   }
   return false;

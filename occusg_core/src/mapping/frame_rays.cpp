@@ -48,8 +48,7 @@ bool insideMap(double voxels) {
 
 }  // namespace
 
-std::size_t FrameRays::prepare(const RangeImage& image, const RayLimits& limits,
-                               Workers& workers) {
+std::size_t FrameRays::prepare(const RangeImage& image, const RayLimits& limits, Workers& workers) {
   limits_ = limits;
   resize(image, workers.threads());
   workers.run(workers.threads(), [&](int index) {
@@ -124,7 +123,8 @@ void FrameRays::dropUnusable(Band& band) const {
   const std::size_t count = band.kinds.size();
   bool is_near_edge = false;
   for (const double origin_m : origin_)
-    is_near_edge |= !insideMap((std::abs(origin_m) + limits_.max_range_m) / limits_.resolution_m + 2);
+    is_near_edge |=
+        !insideMap((std::abs(origin_m) + limits_.max_range_m) / limits_.resolution_m + 2);
   if (!is_near_edge && std::isfinite(view(band.squared_range, 0, count).sum())) return;
   for (std::size_t i = 0; i < count; ++i) {
     if (band.kinds[i] == RayEnd::kNone) continue;

@@ -81,8 +81,7 @@ class LatticeProjection {
     box.top = ceilOf(std::max(top, 0.0F));
     box.bottom = static_cast<int>(std::min(bottom, last_row_));
     if (box.empty()) return Coverage::kNone;
-    const bool whole =
-        left >= 0.0F && right <= last_column_ && top >= 0.0F && bottom <= last_row_;
+    const bool whole = left >= 0.0F && right <= last_column_ && top >= 0.0F && bottom <= last_row_;
     return whole ? Coverage::kWhole : Coverage::kPart;
   }
 
@@ -132,7 +131,7 @@ class LatticeProjection {
   [[nodiscard]] float denseDepth() const { return dense_depth_; }
 
  private:
-  static constexpr float kNearest = 0.05F;       ///< Voxels in front of the camera.
+  static constexpr float kNearest = 0.05F;        ///< Voxels in front of the camera.
   static constexpr float kSurelyCrossed = 0.48F;  ///< Below the radius of a voxel's inner sphere.
 
   static int ceilOf(float value) {

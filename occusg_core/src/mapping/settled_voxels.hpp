@@ -32,7 +32,7 @@ class SettledVoxels {
  private:
   struct Block {
     Bits free{};
-    unsigned updates = 0;  ///< Since the tree was looked into.
+    unsigned updates = 0;                ///< Since the tree was looked into.
     unsigned patience = kFirstPatience;  ///< Updates after which that is worth while.
   };
   static constexpr unsigned kFirstPatience = 4;

@@ -9,32 +9,23 @@
 #include <string>
 #include <vector>
 
+#include "map_difference.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
 #include "voxel_scenes.hpp"
 
 namespace occusg {
 namespace {
 
+using testing::emptyTreeLike;
 using testing::freeColumn;
 using testing::occupiedVoxel;
 using testing::randomCloud;
 using testing::scanOfBox;
 using testing::voxelCenter;
 
-octomap::OcTree emptyTreeLike(const OccupancyMapConfig& config) {
-  octomap::OcTree tree(config.resolution_m);
-  tree.setProbHit(config.hit_probability);
-  tree.setProbMiss(config.miss_probability);
-  tree.setClampingThresMin(config.min_probability);
-  tree.setClampingThresMax(config.max_probability);
-  return tree;
-}
-
 void insertAsOctomapDoes(octomap::OcTree& tree, const PointCloud& cloud, double max_range_m) {
-  octomap::Pointcloud points;
-  for (const Point3f& point : cloud.points) points.push_back(point.x, point.y, point.z);
   const octomap::point3d origin(cloud.origin.x, cloud.origin.y, cloud.origin.z);
-  tree.insertPointCloud(points, origin, max_range_m, false, false);
+  tree.insertPointCloud(testing::toOctomapCloud(cloud), origin, max_range_m, false, false);
 }
 
 TEST(OccupancyMap, EqualsOctomapNodeByNodeOnRandomFrames) {

@@ -14,7 +14,7 @@
 namespace occusg::testing {
 
 /// Axis-aligned solid box [m].
-struct Box3 {
+struct SolidBox {
   Eigen::Vector3d min;
   Eigen::Vector3d max;
 };
@@ -28,7 +28,7 @@ class BoxWorld {
   /// infinite when there is none.
   [[nodiscard]] double hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Box3& box : boxes_) {
+    for (const SolidBox& box : boxes_) {
       double enter = 0.0;
       double leave = std::numeric_limits<double>::infinity();
       for (int axis = 0; axis < 3; ++axis) {
@@ -69,7 +69,7 @@ class BoxWorld {
   }
 
  private:
-  std::vector<Box3> boxes_;
+  std::vector<SolidBox> boxes_;
 };
 
 /// Two rooms of 4 m by 4 m side by side along x, 0.2 m walls 2.5 m high, joined by a door 0.9 m
