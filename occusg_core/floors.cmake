@@ -86,6 +86,8 @@ occusg_add_floor(io
     map_files.cpp
     map_reader.cpp
     map_yaml.cpp
+    octomap_file.cpp
+    octomap_scan.cpp
     output_folder.cpp
     overview_labels.cpp
     overview_picture.cpp

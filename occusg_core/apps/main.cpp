@@ -18,6 +18,7 @@ using Command = std::function<ExitCode(const std::vector<std::string>&)>;
 std::map<std::string, Command> commands() {
   return {{"run", runCommand},
           {"segment", segmentCommand},
+          {"project", projectCommand},
           {"eval", evalCommand},
           {"config", configCommand}};
 }
@@ -30,6 +31,7 @@ Usage: occusg COMMAND [arguments]
 Commands:
   run SEQUENCE -o OUT       take a recorded RGB-D sequence through the whole pipeline
   segment MAP -o OUT        cut a finished 2D map into rooms
+  project MAP -o OUT        make the 2D map of an OctoMap (.bt, .ot)
   eval PREDICTED TRUTH      compare predicted rooms with annotated ones
   config --print            write all parameters with units, ranges and the paper's values
 

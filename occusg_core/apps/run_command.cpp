@@ -7,6 +7,7 @@
 #include "command_line.hpp"
 #include "interrupt.hpp"
 #include "occusg/error.hpp"
+#include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/sequence_reader.hpp"
 #include "occusg/pipeline/config_file.hpp"
@@ -38,30 +39,25 @@ CommandHelp help() {
       "with\n"
       "width, height, fx, fy, cx, cy, depth_scale.\n\n"
       "OUT receives rooms.json, scene_graph.json, scene_graph.dsg.json, rooms.geojson,\n"
-      "free_space.pgm and .yaml, overview.png and timing.json. A frame that cannot be used is\n"
-      "skipped and reported; more than half of them fail the run. Ctrl-C ends the run early and\n"
-      "still writes everything.\n\n"
+      "free_space.pgm and .yaml, map.ot, overview.png and timing.json. A frame that cannot be "
+      "used\n"
+      "is skipped and reported; more than half of them fail the run. Ctrl-C ends the run early\n"
+      "and still writes everything.\n\n"
       "  occusg run examples/apartment -o out/apartment\n"
-      "  occusg run recording -o out/recording --config paper\n",
+      "  occusg run recording -o out/recording --config paper\n"
+      "  occusg run second_visit -o out/second --map out/first/map.ot\n",
       {"SEQUENCE"}};
 }
 
 po::options_description options() {
   po::options_description options("Options");
-  options.add_options()("output,o", po::value<std::string>()->required(),
-                        "folder for the results; created when missing")(
-      "config", po::value<std::string>()->default_value("default"),
-      "'default', 'paper' or a YAML file (see 'occusg config --print')")(
-      "decomposer", po::value<std::string>(), "overrides regions.decomposer")(
+  addOutputOption(options);
+  addConfigOption(options);
+  addDecomposerOption(options);
+  options.add_options()("map", po::value<std::string>(),
+                        "OctoMap (.bt, .ot) to start from; same resolution and frame")(
       "strict", "fail on the first frame that cannot be used");
   return options;
-}
-
-PipelineConfig configFrom(const po::variables_map& values) {
-  const PipelineConfig config = loadConfig(values["config"].as<std::string>());
-  if (values.count("decomposer") == 0) return config;
-  return configFromYaml("regions.decomposer: " + values["decomposer"].as<std::string>() + "\n",
-                        "--decomposer", config);
 }
 
 RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFrames bad_frames) {
@@ -124,10 +120,13 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const po::variables_map values = parse(arguments, help(), options());
   if (helpWasPrinted(values)) return kFine;
 
-  const PipelineConfig config = configFrom(values);
+  const PipelineConfig config = overridden(loadConfig(values["config"].as<std::string>()), values,
+                                           "decomposer", "regions.decomposer");
   const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
-  const OutputFolder folder(values["output"].as<std::string>());
   Pipeline pipeline(config);
+  if (const auto map = given<std::string>(values, "map"))
+    pipeline.startFrom(readOctomap(*map, config.occupancy));
+  const OutputFolder folder(values["output"].as<std::string>());
   catchInterrupts();
   const RunOutcome outcome = processAll(
       sequence, pipeline, values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip);

@@ -37,6 +37,13 @@ Pipeline::Pipeline(const PipelineConfig& config)
       tracker_(config.tracker),
       graph_(config.graph) {}
 
+void Pipeline::startFrom(OccupancyMap map) {
+  if (last_stamp_s_)
+    throw refuse("map", "comes after the first frame", "a map to start from comes before it");
+  changed_since_regions_ = changed_since_regions_.including(free_space_.recompute(map).changed);
+  occupancy_ = std::move(map);
+}
+
 void Pipeline::process(const DepthFrame& frame) {
   if (!std::isfinite(frame.stamp_s))
     throw refuse("frame", "its stamp is not a number", "seconds are needed");

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "occusg/io/map_files.hpp"
+#include "occusg/io/octomap_file.hpp"
 #include "occusg/io/overview_picture.hpp"
 #include "occusg/io/rooms_geojson.hpp"
 #include "occusg/io/scene_graph_file.hpp"
@@ -61,6 +62,7 @@ std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string&
           {"rooms.geojson", toGeoJson(rooms)},
           {"free_space.pgm", map.pgm},
           {"free_space.yaml", map.yaml},
+          {"map.ot", toOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull)},
           {"overview.png", overviewPng(pipeline, rooms)},
           {"timing.json", timingJson(times)}};
 }

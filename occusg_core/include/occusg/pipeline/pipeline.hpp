@@ -35,6 +35,11 @@ class Pipeline {
   /// @throws Error when the configuration breaks a rule.
   explicit Pipeline(const PipelineConfig& config);
 
+  /// Goes on from a map that was saved; before the first frame.
+  /// @throws Error when there was a frame, or the map is larger than the free-space layer can be;
+  /// the state is then as before the call.
+  void startFrom(OccupancyMap map);
+
   /// Takes one frame through the stages: cloud, occupancy and free space always; regions and graph
   /// when `region_period_s` has passed.
   /// @throws Error when the frame cannot be used or is not younger than the one before; the state
