@@ -19,15 +19,25 @@ occusg_add_floor(perception
     letterbox.cpp
     onnx_segmenter.cpp
     onnx_signature.cpp
+    range_image.cpp
     yolo_output.cpp
   USES geometry
   LIBRARIES opencv_core opencv_imgproc opencv_dnn PclClustering::PclClustering)
 
 occusg_add_floor(mapping
   SOURCES
+    column_bits.cpp
+    depth_bounds.cpp
+    frame_carver.cpp
+    frame_rays.cpp
     frame_voxels.cpp
     free_space_layer.cpp
+    lattice_projection.cpp
+    local_floor.cpp
+    measured_evidence.cpp
     occupancy_map.cpp
+    settled_free.cpp
+    voxel_columns.cpp
     voxel_tree.cpp
   USES geometry perception
   LIBRARIES occusg_octomap)
@@ -62,15 +72,18 @@ occusg_add_floor(regions
 occusg_add_floor(graph
   SOURCES
     agent_layer.cpp
+    change_log.cpp
     entity_assignment.cpp
     graph_builder.cpp
     interior_point.cpp
+    node_table.cpp
     region_snapshot.cpp
     relinking.cpp
     room_adjacency.cpp
     room_layer.cpp
     scene_graph.cpp
-  USES geometry regions)
+    spatial_index.cpp
+  USES geometry perception mapping regions)
 
 occusg_add_floor(io
   SOURCES
@@ -119,9 +132,11 @@ occusg_add_floor(pipeline
   SOURCES
     config.cpp
     config_file.cpp
+    map_pipeline.cpp
     parameter.cpp
     pipeline.cpp
     results.cpp
+    room_pipeline.cpp
     stage_times.cpp
   USES geometry perception mapping regions graph io
   LIBRARIES yaml-cpp)

@@ -16,7 +16,8 @@ if(NOT catkin_FOUND)
 endif()
 set(OCCUSG_HAVE_ROS ON)
 
+# Libraries come from the exported targets (occusg-extras.cmake): catkin would look for them by name
+# in the prefix given when configuring, so a staged or moved install would not be found.
 catkin_package(
   INCLUDE_DIRS occusg_core/include
-  LIBRARIES occusg_core
   CFG_EXTRAS occusg-extras.cmake)

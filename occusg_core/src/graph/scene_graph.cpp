@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/graph/scene_graph.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -90,12 +91,13 @@ const char* nameOf(EdgeType type) {
 }
 
 const Node& SceneGraph::add(const Eigen::Vector3d& position, double stamp_s,
-                            NodeAttributes attributes) {
+                            NodeAttributes attributes, int floor_id) {
   checkFinite(position, stamp_s, stamp_s);
   Node node;
   node.position = position;
   node.created_s = stamp_s;
   node.last_seen_s = stamp_s;
+  node.floor_id = floor_id;
   node.attributes = std::move(attributes);
   const NodeType type = node.type();
   node.id = nextId(type);
@@ -104,27 +106,29 @@ const Node& SceneGraph::add(const Eigen::Vector3d& position, double stamp_s,
                  "start a new graph");
   }
   ++added_[indexOf(type)];
-  NodeMap& nodes = nodes_[indexOf(type)];
-  return nodes.emplace_hint(nodes.end(), node.id, std::move(node))->second;
+  log_.record(ChangeKind::kAdded, node.id);
+  return nodes_[indexOf(type)].append(std::move(node));
 }
 
 void SceneGraph::update(Node node) {
   checkFinite(node.position, node.created_s, node.last_seen_s);
-  NodeMap& nodes = nodes_[indexOf(node.type())];
-  const auto found = nodes.find(node.id);
-  if (found == nodes.end()) {
-    throw refuse(kWhere,
-                 "there is no " + std::string(nameOf(node.type())) + " node " +
-                     std::to_string(node.id) + " to update",
-                 "add it first, and keep its type");
+  const NodeId id = node.id;
+  const NodeType type = node.type();
+  if (!nodes_[indexOf(type)].replace(std::move(node))) {
+    throw refuse(
+        kWhere,
+        "there is no " + std::string(nameOf(type)) + " node " + std::to_string(id) + " to update",
+        "add it first, and keep its type");
   }
-  found->second = std::move(node);
+  log_.record(ChangeKind::kChanged, id);
 }
 
 bool SceneGraph::remove(NodeId id) {
   const std::optional<NodeType> type = typeOfId(id);
-  if (!type || nodes_[indexOf(*type)].erase(id) == 0) return false;
+  if (!type || nodes_[indexOf(*type)].find(id) == nullptr) return false;
   for (const EdgeType edge_type : kEdgeTypes) removeEdges(edge_type, id);
+  nodes_[indexOf(*type)].erase(id);
+  log_.record(ChangeKind::kRemoved, id);
   return true;
 }
 
@@ -138,25 +142,26 @@ void SceneGraph::connect(Edge edge) {
     if (room && *room != edge.source) disconnect(EdgeType::kContains, *room, edge.target);
   }
   Edges& edges = edges_[indexOf(edge.type)];
-  edges.by_target.emplace(key.second, key.first);
+  const EdgeKey name{edge.type, key.first, key.second};
+  const bool is_new = edges.by_target.emplace(key.second, key.first).second;
   edges.by_source.insert_or_assign(key, std::move(edge));
+  log_.record(is_new ? ChangeKind::kAdded : ChangeKind::kChanged, name);
 }
 
 bool SceneGraph::disconnect(EdgeType type, NodeId source, NodeId target) {
   const Ends key = keyOf(type, source, target);
   Edges& edges = edges_[indexOf(type)];
   edges.by_target.erase({key.second, key.first});
-  return edges.by_source.erase(key) > 0;
+  if (edges.by_source.erase(key) == 0) return false;
+  log_.record(ChangeKind::kRemoved, EdgeKey{type, key.first, key.second});
+  return true;
 }
 
 NodeId SceneGraph::nextId(NodeType type) const { return firstId(type) + added_[indexOf(type)]; }
 
 const Node* SceneGraph::find(NodeId id) const {
   const std::optional<NodeType> type = typeOfId(id);
-  if (!type) return nullptr;
-  const NodeMap& nodes = nodes_[indexOf(*type)];
-  const auto found = nodes.find(id);
-  return found == nodes.end() ? nullptr : &found->second;
+  return type ? nodes_[indexOf(*type)].find(id) : nullptr;
 }
 
 const Node& SceneGraph::at(NodeId id) const {
@@ -173,11 +178,13 @@ const RoomAttributes& SceneGraph::room(NodeId id) const {
   return *room;
 }
 
-const SceneGraph::NodeMap& SceneGraph::nodes(NodeType type) const { return nodes_[indexOf(type)]; }
+const SceneGraph::NodeMap& SceneGraph::nodes(NodeType type) const {
+  return nodes_[indexOf(type)].nodes();
+}
 
 std::size_t SceneGraph::nodeCount() const {
   std::size_t count = 0;
-  for (const NodeMap& nodes : nodes_) count += nodes.size();
+  for (const NodeTable& table : nodes_) count += table.nodes().size();
   return count;
 }
 
@@ -218,6 +225,39 @@ std::optional<NodeId> SceneGraph::roomOf(NodeId member) const {
   const auto found = by_member.lower_bound({member, std::numeric_limits<NodeId>::min()});
   if (found == by_member.end() || found->first != member) return std::nullopt;
   return found->second;
+}
+
+std::optional<NodeId> SceneGraph::nearest(NodeType type, const Point2& point, double max_distance_m,
+                                          const std::function<bool(const Node&)>& accept) const {
+  const NodeTable& table = nodes_[indexOf(type)];
+  return table.places().nearest(point, max_distance_m,
+                                [&](NodeId id) { return accept(*table.find(id)); });
+}
+
+std::vector<NodeId> SceneGraph::withinRadius(NodeType type, const Point2& center,
+                                             double radius_m) const {
+  const NodeTable& table = nodes_[indexOf(type)];
+  std::vector<std::pair<double, NodeId>> near;
+  for (const NodeId id : table.places().touching({{center.x - radius_m, center.y - radius_m},
+                                                  {center.x + radius_m, center.y + radius_m}})) {
+    const double distance_m = distance(table.find(id)->groundPosition(), center);
+    if (distance_m <= radius_m) near.emplace_back(distance_m, id);
+  }
+  std::sort(near.begin(), near.end());
+  std::vector<NodeId> ids;
+  ids.reserve(near.size());
+  for (const auto& [distance_m, id] : near) ids.push_back(id);
+  return ids;
+}
+
+std::vector<NodeId> SceneGraph::inBox(NodeType type, const Bounds2& box) const {
+  return nodes_[indexOf(type)].places().touching(box);
+}
+
+void SceneGraph::setStamp(double stamp_s) {
+  if (!std::isfinite(stamp_s))
+    throw refuse(kWhere, "the stamp of its changes is not finite", "stamps are in seconds");
+  log_.setStamp(stamp_s);
 }
 
 void SceneGraph::checkEnds(const Edge& edge) const {

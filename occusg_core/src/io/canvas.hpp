@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/room_color.hpp"
+#include "occusg/io/room_color.hpp"
 
 namespace occusg {
 

@@ -13,7 +13,7 @@
 #include "io/map_drawing.hpp"
 #include "io/overview_view.hpp"
 #include "occusg/geometry/cell_outline.hpp"
-#include "occusg/regions/dude_pockets.hpp"
+#include "regions/dude_pockets.hpp"
 
 namespace occusg {
 namespace {

@@ -37,11 +37,19 @@ double scaleBarLength(double longest_m) {
 void paintCells(Canvas& canvas, const OverviewView& view, const FreeSpace& layer, CellKind kind) {
   if (layer.cells.empty()) return;
   cv::Mat& pixels = canvas.pixels();
+  const auto cellOf = [&](int column, int row) {
+    return layer.frame.cellAt(view.pointAt(
+        {(column + 0.5) / Canvas::kOversampling, (row + 0.5) / Canvas::kOversampling}));
+  };
+  // The view is parallel to the map's axes: a picture column is in one column of cells.
+  std::vector<int> cell_x(static_cast<std::size_t>(pixels.cols));
+  for (int column = 0; column < pixels.cols; ++column)
+    cell_x[static_cast<std::size_t>(column)] = cellOf(column, 0).x;
   for (int row = 0; row < pixels.rows; ++row) {
+    const int cell_y = cellOf(0, row).y;
     for (int column = 0; column < pixels.cols; ++column) {
-      const Point2 point = view.pointAt(
-          {(column + 0.5) / Canvas::kOversampling, (row + 0.5) / Canvas::kOversampling});
-      const std::int8_t value = layer.cells.valueOr(layer.frame.cellAt(point), kUnknown);
+      const Cell cell{cell_x[static_cast<std::size_t>(column)], cell_y};
+      const std::int8_t value = layer.cells.valueOr(cell, kUnknown);
       if (value == kUnknown || (value == kFree) != (kind == CellKind::kFreeSpace)) continue;
       const RgbColor color = colorOf(value);
       pixels.at<cv::Vec3b>(row, column) = {color.b, color.g, color.r};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/room_color.hpp"
+#include "occusg/io/room_color.hpp"
 
 #include <algorithm>
 #include <cmath>

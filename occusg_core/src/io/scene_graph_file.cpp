@@ -28,6 +28,21 @@ const char* nameOf(RoomReason reason) {
   return "";
 }
 
+const char* nameOf(RoomState state) {
+  return state == RoomState::kConfirmed ? "confirmed" : "partial";
+}
+
+const char* nameOf(LabelSource source) {
+  return source == LabelSource::kPerson ? "person" : "automatic";
+}
+
+json histogramOf(const ObjectAttributes& object) {
+  json histogram = json::object();
+  for (const auto& [name, sum] : object.class_histogram)
+    histogram[name] = rounded(sum, kScoreDigits);
+  return histogram;
+}
+
 json holesOf(const Polygon& polygon) {
   json holes = json::array();
   for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
@@ -41,7 +56,15 @@ struct AttributeMembers {
     return {{"orientation", json::array({q.x(), q.y(), q.z(), q.w()})}};
   }
   json operator()(const ObjectAttributes& object) const {
-    return {{"class", object.class_name}, {"score", rounded(object.score, kScoreDigits)}};
+    json members = {{"class", object.class_name},
+                    {"score", rounded(object.score, kScoreDigits)},
+                    {"observations", object.observations},
+                    {"class_histogram", histogramOf(object)}};
+    if (!object.box.isEmpty()) {
+      members["box"] = json::array(
+          {jsonOf(Eigen::Vector3d(object.box.min())), jsonOf(Eigen::Vector3d(object.box.max()))});
+    }
+    return members;
   }
   json operator()(const NavigationAttributes& navigation) const {
     return {{"block", json::array({navigation.block.x, navigation.block.y})},
@@ -49,7 +72,11 @@ struct AttributeMembers {
   }
   json operator()(const RoomAttributes& room) const {
     json members = {{"name", room.name},
+                    {"state", nameOf(room.state)},
+                    {"frontier_share", rounded(room.frontier_share, kScoreDigits)},
                     {"label", room.label},
+                    {"label_score", rounded(room.label_score, kScoreDigits)},
+                    {"label_source", nameOf(room.label_source)},
                     {"region_id", room.region_id},
                     {"reason", nameOf(room.reason)},
                     {"area_m2", rounded(room.area_m2)},
@@ -59,7 +86,11 @@ struct AttributeMembers {
       members["unsupported_since_s"] = rounded(*room.unsupported_since_s, kStampDigits);
     return members;
   }
-  json operator()(const DoorAttributes& door) const { return {{"segment", jsonOf(door.segment)}}; }
+  json operator()(const DoorAttributes& door) const {
+    return {{"segment", jsonOf(door.segment)},
+            {"width_m", rounded(door.width_m)},
+            {"rooms", json::array({door.room_a, door.room_b})}};
+  }
 };
 
 json membersOf(const Node& node) {

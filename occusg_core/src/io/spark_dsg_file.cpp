@@ -11,7 +11,7 @@
 
 #include "io/graph_json.hpp"
 #include "io/json_text.hpp"
-#include "io/room_color.hpp"
+#include "occusg/io/room_color.hpp"
 
 namespace occusg {
 namespace {

@@ -8,27 +8,13 @@
 #include <limits>
 #include <vector>
 
+#include "mapping/morton.hpp"
+
 namespace occusg {
 namespace {
 
 constexpr std::uint64_t kNoAddress = std::numeric_limits<std::uint64_t>::max();
 constexpr std::size_t kInitialSlots = 4096;
-
-/// The low three bits of a number, three places apart.
-constexpr std::array<unsigned, 8> kSpread = {0, 1, 8, 9, 64, 65, 72, 73};
-
-/// The bits of a block coordinate (13 bits), three places apart.
-std::uint64_t spread(unsigned coordinate) {
-  std::uint64_t bits = 0;
-  for (unsigned shift = 0; shift < 15; shift += 3)
-    bits |= static_cast<std::uint64_t>(kSpread[(coordinate >> shift) & 7U]) << (3 * shift);
-  return bits;
-}
-
-std::uint64_t mortonCode(const octomap::OcTreeKey& key) {
-  return spread(key[0] >> kBlockLevels) | spread(key[1] >> kBlockLevels) << 1 |
-         spread(key[2] >> kBlockLevels) << 2;
-}
 
 /// A number of the block that is cheaper to get than its Morton code.
 std::uint64_t addressOf(const octomap::OcTreeKey& key) {
@@ -37,10 +23,11 @@ std::uint64_t addressOf(const octomap::OcTreeKey& key) {
          static_cast<std::uint64_t>(key[2] >> kBlockLevels);
 }
 
-/// Place of a voxel in its block, in Morton order, 0..511.
-unsigned placeOf(const octomap::OcTreeKey& key) {
-  return kSpread[key[0] & 7U] | kSpread[key[1] & 7U] << 1 | kSpread[key[2] & 7U] << 2;
+std::uint64_t mortonCode(const octomap::OcTreeKey& key) {
+  return occusg::mortonCode(key[0] >> kBlockLevels, key[1] >> kBlockLevels, key[2] >> kBlockLevels);
 }
+
+unsigned placeOf(const octomap::OcTreeKey& key) { return placeInBlock(key[0], key[1], key[2]); }
 
 void mark(std::array<std::uint64_t, 8>& words, unsigned place) {
   words[place >> 6] |= std::uint64_t{1} << (place & 63U);

@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "mapping/column.hpp"
+#include "mapping/column_bits.hpp"
+#include "mapping/measured_evidence.hpp"
+#include "mapping/voxel_columns.hpp"
 #include "mapping/voxel_tree.hpp"
 #include "occusg/error.hpp"
 
@@ -61,6 +63,15 @@ void check(const FreeSpaceLayerConfig& config, const GridFrame& frame) {
   }
 }
 
+/// Within this distance the floor of one place says what the floor of another is.
+constexpr double kFloorReach_m = 1.0;
+
+int floorReach_tiles(double resolution_m) {
+  constexpr int kFarthest_tiles = 16;
+  const double tiles = std::ceil(kFloorReach_m / (kFloorTile_cells * resolution_m) - 0.5);
+  return static_cast<int>(std::clamp<double>(tiles, 1, kFarthest_tiles));
+}
+
 const FreeSpaceLayerConfig& checked(const FreeSpaceLayerConfig& config, const GridFrame& frame) {
   check(config, frame);
   return config;
@@ -83,39 +94,9 @@ CellBox boundsOf(const std::vector<Cell>& columns) {
   return box;
 }
 
-CellBox knownColumns(const octomap::OcTree& tree) {
-  CellBox box;
-  for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf) {
-    const octomap::OcTreeKey key = leaf.getIndexKey();  // lowest voxel of the leaf
-    const Cell corner{key[0] - kZeroKey, key[1] - kZeroKey};
-    const int side = 1 << (tree.getTreeDepth() - leaf.getDepth());
-    box = box.including(CellBox{corner, {corner.x + side, corner.y + side}});
-  }
-  return box;
-}
-
-/// Lowest free run of at least `needed_voxels`; empty when the column has none.
-VoxelRun lowestFreeRun(const Column& column, int needed_voxels) {
-  VoxelRun run;
-  bool found = false;
-  column.forEachLeaf([&](bool occupied, const VoxelRun& leaf) {
-    if (occupied || found) return;
-    if (!run.empty() && run.top == leaf.bottom) {
-      run.top = leaf.top;
-    } else if (run.length() >= needed_voxels) {
-      found = true;
-    } else {
-      run = leaf;
-    }
-  });
-  return run.length() >= needed_voxels ? run : VoxelRun{};
-}
-
-/// To what degree the occupied runs fill a free run beside them, 0..100: full from one half on.
-int obstacleLevel(const std::vector<VoxelRun>& occupied, const VoxelRun& free) {
-  int filled = 0;
-  for (const VoxelRun& run : occupied) filled += run.overlap(free);
-  return std::min<int>(kFullObstacle, 2 * (100 * filled / free.length()));
+/// To what degree a column fills a free run beside it, 0..100: full from one half on.
+int obstacleLevel(const ColumnBits& column, const VoxelRun& free) {
+  return std::min<int>(kFullObstacle, 2 * (100 * column.occupiedIn(free) / free.length()));
 }
 
 CellBox differingCells(const Grid<std::int8_t>& before, const Grid<std::int8_t>& after) {
@@ -132,38 +113,45 @@ CellBox differingCells(const Grid<std::int8_t>& before, const Grid<std::int8_t>&
 
 }  // namespace
 
+/// The map being read, and what is reused between its columns.
+struct FreeSpaceLayer::Reading {
+  const VoxelColumns& columns;
+  EvidenceHeights evidence_heights;
+  ColumnBits bits;
+};
+
 FreeSpaceLayer::FreeSpaceLayer(const FreeSpaceLayerConfig& config, const GridFrame& frame)
     : config_(checked(config, frame)),
       needed_voxels_(voxelsFor(config.min_free_gap_m, frame.resolution_m)),
-      heights_(heightsBetween(config, frame.resolution_m)) {
+      heights_(heightsBetween(config, frame.resolution_m)),
+      floors_(evidenceHeights(config.evidence, frame.resolution_m).ceiling,
+              floorReach_tiles(frame.resolution_m)) {
   layer_.frame = frame;
 }
 
 const FreeSpace& FreeSpaceLayer::update(const OccupancyMap& map, const MapChange& change) {
   checkResolution(map);
-  cover(boundsOf(change.columns));
-  layer_.changed = {};
-  for (const Cell& cell : change.columns) remeasure(map.tree(), cell);
-  for (const Cell& cell : queue_) evaluate(map.tree(), cell);
-  queue_.clear();
+  apply(map.columns(), change.columns);
   return layer_;
 }
 
 const FreeSpace& FreeSpaceLayer::recompute(const OccupancyMap& map) {
   checkResolution(map);
   FreeSpaceLayer fresh(config_, layer_.frame);
-  fresh.cover(knownColumns(map.tree()));
-  const CellBox box = fresh.layer_.cells.box();
-  for (int y = box.min.y; y < box.max.y; ++y)
-    for (int x = box.min.x; x < box.max.x; ++x) fresh.remeasure(map.tree(), {x, y});
-  for (const Cell& cell : fresh.queue_) fresh.evaluate(map.tree(), cell);
-  fresh.queue_.clear();
+  const VoxelColumns columns = VoxelColumns::of(map.tree());
+  fresh.apply(columns, columns.knownColumns());
+  fresh.queue_.shrink_to_fit();  // it held every cell
   fresh.layer_.changed = differingCells(layer_.cells, fresh.layer_.cells);
   *this = std::move(fresh);
   return layer_;
 }
 
 void FreeSpaceLayer::reset() { *this = FreeSpaceLayer(config_, layer_.frame); }
+
+std::size_t FreeSpaceLayer::memoryBytes() const {
+  return layer_.cells.values().capacity() + layer_.evidence.memoryBytes() + columns_.memoryBytes() +
+         floors_.memoryBytes() + queue_.capacity() * sizeof(Cell);
+}
 
 void FreeSpaceLayer::checkResolution(const OccupancyMap& map) const {
   const double of_map = map.config().resolution_m;
@@ -183,53 +171,87 @@ void FreeSpaceLayer::cover(const CellBox& known_columns) {
                  "at most " + std::to_string(kMaxLayerCells) +
                      " cells are supported: look for a pose that jumped, or use larger cells");
   }
-  columns_.cover(box, ColumnState{});
   layer_.cells.cover(box, kUnknown);
 }
 
-/// Reads the column of `cell` and queues the cells whose value may follow from it.
-void FreeSpaceLayer::remeasure(const octomap::OcTree& tree, const Cell& cell) {
-  const VoxelRun run = lowestFreeRun({tree, cell, heights_}, needed_voxels_);
+void FreeSpaceLayer::apply(const VoxelColumns& columns, const std::vector<Cell>& changed) {
+  cover(boundsOf(changed));
+  layer_.changed = {};
+  Reading reading{columns, evidenceHeights(config_.evidence, layer_.frame.resolution_m), {}};
+  for (const Cell& cell : changed) {
+    columns.read(cell, reading.bits);
+    floors_.set(cell, shownFloor(reading.bits, needed_voxels_));
+  }
+  const std::vector<Cell>& moved_floors = floors_.update();
+  for (const Cell& cell : changed) {
+    if (floors_.hasMoved(cell)) continue;  // comes with its tile
+    columns.read(cell, reading.bits);
+    remeasure(reading, cell);
+  }
+  for (const Cell& tile : moved_floors) {
+    for (int i = 0; i < kFloorTile_cells * kFloorTile_cells; ++i) {
+      const Cell cell{kFloorTile_cells * tile.x + i % kFloorTile_cells,
+                      kFloorTile_cells * tile.y + i / kFloorTile_cells};
+      columns.read(cell, reading.bits);
+      if (!reading.bits.empty()) remeasure(reading, cell);
+    }
+  }
+  for (const Cell& cell : queue_) evaluate(reading, cell);
+  queue_.clear();
+}
+
+/// Takes over the column of `cell` and queues the cells whose value may follow from it.
+void FreeSpaceLayer::remeasure(const Reading& reading, const Cell& cell) {
+  const std::int16_t floor = floors_.at(cell);
+  const ColumnEvidence evidence = measuredEvidence(reading.bits, floor, reading.evidence_heights);
+  if (layer_.evidence.at(cell) != evidence) layer_.evidence.touch(cell) = evidence;
+
+  const VoxelRun run = reading.bits.lowestFree(heightsAt(floor), needed_voxels_);
   queue(cell);
-  ColumnState& column = columns_.at(cell);
+  ColumnState& column = columns_.touch(cell);
   if (column.lowest_free == run) return;
   column.lowest_free = run;
   for (const Cell& step : kNeighbours) queue(cell + step);
 }
 
+VoxelRun FreeSpaceLayer::heightsAt(std::int16_t floor) const {
+  if (config_.height_reference == HeightReference::kMap) return heights_;
+  if (floor == kNoFloor) return kAllHeights;
+  return {floor + heights_.bottom, floor + heights_.top};
+}
+
 void FreeSpaceLayer::queue(const Cell& cell) {
   // Beyond the box no voxel is known, so no obstacle either.
-  if (!columns_.box().contains(cell) || columns_.at(cell).queued) return;
-  columns_.at(cell).queued = true;
+  if (!layer_.cells.box().contains(cell)) return;
+  bool& queued = columns_.touch(cell).queued;
+  if (queued) return;
+  queued = true;
   queue_.push_back(cell);
 }
 
-void FreeSpaceLayer::evaluate(const octomap::OcTree& tree, const Cell& cell) {
-  columns_.at(cell).queued = false;
-  const std::int8_t value = valueOf(tree, cell);
+void FreeSpaceLayer::evaluate(Reading& reading, const Cell& cell) {
+  columns_.touch(cell).queued = false;
+  const std::int8_t value = valueOf(reading, cell);
   std::int8_t& stored = layer_.cells.at(cell);
   if (stored == value) return;
   stored = value;
   layer_.changed = layer_.changed.including(cell);
 }
 
-std::int8_t FreeSpaceLayer::valueOf(const octomap::OcTree& tree, const Cell& cell) {
+std::int8_t FreeSpaceLayer::valueOf(Reading& reading, const Cell& cell) const {
   if (!columns_.at(cell).lowest_free.empty()) return kFree;
   std::array<VoxelRun, kNeighbours.size()> free_beside;
   std::size_t count = 0;
   for (const Cell& step : kNeighbours) {
-    const VoxelRun run = columns_.valueOr(cell + step, ColumnState{}).lowest_free;
+    const VoxelRun run = columns_.at(cell + step).lowest_free;
     if (!run.empty()) free_beside[count++] = run;
   }
   if (count == 0) return kUnknown;
 
-  occupied_.clear();
-  Column(tree, cell, heights_).forEachLeaf([this](bool occupied, const VoxelRun& leaf) {
-    if (occupied) occupied_.push_back(leaf);
-  });
+  reading.columns.read(cell, reading.bits);
   int level = 0;
   for (std::size_t i = 0; i < count; ++i)
-    level = std::max(level, obstacleLevel(occupied_, free_beside[i]));
+    level = std::max(level, obstacleLevel(reading.bits, free_beside[i]));
   // A level of zero would read as free.
   return level >= std::max(1, config_.min_obstacle_level) ? static_cast<std::int8_t>(level)
                                                           : kUnknown;

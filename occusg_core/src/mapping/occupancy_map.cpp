@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "mapping/frame_carver.hpp"
+#include "mapping/frame_rays.hpp"
 #include "mapping/frame_voxels.hpp"
 #include "mapping/voxel_tree.hpp"
 #include "occusg/error.hpp"
@@ -33,6 +35,9 @@ const OccupancyMapConfig& checked(const OccupancyMapConfig& config) {
   checkRange("max_probability", config.max_probability, 0.5, 1.0, Limits::kOutside);
   return config;
 }
+
+/// A frame that spans more is walked ray by ray: its window would take too much memory.
+constexpr std::size_t kMaxWindowBlocks = std::size_t{1} << 22;
 
 /// Files carry the resolution in six digits.
 void checkAgreement(double configured_m, double found_m) {
@@ -63,7 +68,9 @@ bool insideMap(const octomap::OcTree& tree, const octomap::point3d& point) {
 OccupancyMap::OccupancyMap(const OccupancyMapConfig& config)
     : config_(checked(config)),
       tree_(std::make_unique<VoxelTree>(config.resolution_m)),
-      frame_(std::make_unique<FrameVoxels>()) {
+      frame_(std::make_unique<FrameVoxels>()),
+      rays_(std::make_unique<FrameRays>()),
+      carver_(std::make_unique<FrameCarver>()) {
   tree_->setProbHit(config_.hit_probability);
   tree_->setProbMiss(config_.miss_probability);
   tree_->setClampingThresMin(config_.min_probability);
@@ -78,6 +85,7 @@ OccupancyMap::OccupancyMap(const OccupancyMapConfig& config,
   content->updateInnerOccupancy();
   content->prune();
   tree_->swapContent(*content);
+  tree_->rebuildColumns();
 }
 
 OccupancyMap::OccupancyMap(OccupancyMap&&) noexcept = default;
@@ -97,6 +105,21 @@ MapChange OccupancyMap::insert(const PointCloud& cloud) {
   for (const Point3f& point : cloud.misses)
     if (!markRay(origin, point, RayEnd::kMiss)) ++change.points_outside_map;
   change.columns = tree_->integrate(frame_->settled());
+  return change;
+}
+
+MapChange OccupancyMap::insert(const RangeImage& image) {
+  if (config_.mode == IntegrationMode::kReference) return insert(toPointCloud(image));
+  MapChange change;
+  if (!insideMap(*tree_, toOctomap(image.origin))) {
+    change.origin_outside_map = true;
+    return change;
+  }
+  change.points_outside_map = rays_->prepare(image, {config_.resolution_m, config_.max_range_m});
+  if (FrameCarver::blocksBetween(rays_->bounds()) > kMaxWindowBlocks) return insert(toPointCloud(image));
+  const Carving carving =
+      config_.mode == IntegrationMode::kExact ? Carving::kExact : Carving::kFast;
+  change.columns = tree_->integrate(carver_->carve(*rays_, image, *tree_, carving));
   return change;
 }
 
@@ -123,6 +146,12 @@ bool OccupancyMap::markRay(const octomap::point3d& origin, const Point3f& end, R
 }
 
 const octomap::OcTree& OccupancyMap::tree() const { return *tree_; }
+
+const VoxelColumns& OccupancyMap::columns() const { return tree_->columns(); }
+
+std::size_t OccupancyMap::memoryBytes() const {
+  return tree_->memoryUsage() + tree_->columns().memoryBytes();
+}
 
 void OccupancyMap::reset() { tree_->clear(); }
 

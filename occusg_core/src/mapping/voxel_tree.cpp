@@ -30,21 +30,6 @@ std::uint64_t lowest(unsigned voxels) {
   return voxels == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << voxels) - 1;
 }
 
-/// The 4 x 4 columns of a word, given in bits x0 y0 - x1 y1 - of the Morton place, as bits
-/// 8 * y + x of a block.
-std::uint64_t columnsOfWord(std::uint64_t word) {
-  word |= word >> 4;   // lower and upper voxel of a pair
-  word |= word >> 32;  // lower and upper pair
-  std::uint64_t columns = 0;
-  for (unsigned y = 0; y < 4; ++y) {
-    for (unsigned x = 0; x < 4; ++x) {
-      const unsigned place = (x & 1U) | (y & 1U) << 1 | (x >> 1) << 3 | (y >> 1) << 4;
-      columns |= ((word >> place) & 1U) << (8 * y + x);
-    }
-  }
-  return columns;
-}
-
 }  // namespace
 
 std::vector<Cell> VoxelTree::integrate(const std::vector<VoxelBlock>& blocks) {
@@ -80,14 +65,18 @@ void VoxelTree::updateAbove(const Place& place, unsigned depth, BlockIterator fi
 }
 
 void VoxelTree::updateBlock(const Place& place, const VoxelBlock& block) {
-  std::array<std::uint64_t, 8> changed{};
+  BlockChange change;
+  bool any = false;
   for (unsigned i = 0; i < block.free.size(); ++i) {
     const Marks marks{block.free[i], block.occupied[i]};
     if ((marks.free | marks.occupied) == 0 || ignores(place, marks)) continue;
-    changed[i] = updateBelow(child(place, i), 64, marks);
+    const Change below = updateBelow(child(place, i), 64, marks);
+    change.changed[i] = below.free | below.occupied;
+    change.occupied[i] = below.occupied;
+    any = any || change.changed[i] != 0;
   }
   finish(place.node);
-  note(block, changed);
+  if (any) note(block, change);
 }
 
 /// What any of the blocks asks for.
@@ -103,31 +92,34 @@ VoxelTree::Marks VoxelTree::allMarks(BlockIterator first, BlockIterator last) {
 }
 
 /// @param voxels number of voxels below the node: 64, 8 or 1.
-/// @return the voxels whose state changed, in the bits of `marks`.
-std::uint64_t VoxelTree::updateBelow(const Place& place, unsigned voxels, const Marks& marks) {
-  if (ignores(place, marks)) return 0;
+/// @return the voxels that became free or occupied, in the bits of `marks`.
+VoxelTree::Change VoxelTree::updateBelow(const Place& place, unsigned voxels, const Marks& marks) {
+  if (ignores(place, marks)) return {};
   const std::uint64_t all = lowest(voxels);
   if (isLeaf(place) || place.age == Age::kNew) {
     if (marks.free == all) return updateLeaf(place, all, prob_miss_log);
     if (marks.occupied == all) return updateLeaf(place, all, prob_hit_log);
   }
   const unsigned part = voxels / 8;
-  std::uint64_t changed = 0;
+  Change change;
   for (unsigned i = 0; i < 8; ++i) {
     const Marks below{(marks.free >> (i * part)) & lowest(part),
                       (marks.occupied >> (i * part)) & lowest(part)};
     if ((below.free | below.occupied) == 0) continue;
-    changed |= updateBelow(child(place, i), part, below) << (i * part);
+    const Change of_child = updateBelow(child(place, i), part, below);
+    change.free |= of_child.free << (i * part);
+    change.occupied |= of_child.occupied << (i * part);
   }
   finish(place.node);
-  return changed;
+  return change;
 }
 
-std::uint64_t VoxelTree::updateLeaf(const Place& place, std::uint64_t all, float log_odds) {
+VoxelTree::Change VoxelTree::updateLeaf(const Place& place, std::uint64_t all, float log_odds) {
   const bool was_occupied = isNodeOccupied(place.node);
   updateNodeLogOdds(place.node, log_odds);
-  const bool changed = place.age == Age::kNew || isNodeOccupied(place.node) != was_occupied;
-  return changed ? all : 0;
+  const bool is_occupied = isNodeOccupied(place.node);
+  if (place.age == Age::kOld && is_occupied == was_occupied) return {};
+  return is_occupied ? Change{0, all} : Change{all, 0};
 }
 
 VoxelTree::Place VoxelTree::child(const Place& parent, unsigned index) {
@@ -154,17 +146,19 @@ void VoxelTree::finish(Node* node) {
   if (!pruneNode(node)) node->updateOccupancyChildren();
 }
 
-void VoxelTree::note(const VoxelBlock& block, const std::array<std::uint64_t, 8>& changed) {
-  std::uint64_t columns = 0;
-  for (unsigned quarter = 0; quarter < 4; ++quarter) {
-    const std::uint64_t word = changed[quarter] | changed[quarter + 4];
-    if (word != 0) columns |= columnsOfWord(word) << (32 * (quarter >> 1) + 4 * (quarter & 1U));
-  }
-  if (columns == 0) return;
+void VoxelTree::note(const VoxelBlock& block, const BlockChange& change) {
   constexpr int kZeroBlock = kZeroKey / kBlockSide;
-  changed_.push_back(
-      {compact(block.code) - kZeroBlock, compact(block.code >> 1) - kZeroBlock, columns});
+  const Cell tile{compact(block.code) - kZeroBlock, compact(block.code >> 1) - kZeroBlock};
+  const std::uint64_t columns = columns_.apply(tile, compact(block.code >> 2) - kZeroBlock, change);
+  changed_.push_back({tile.x, tile.y, columns});
 }
+
+void VoxelTree::clear() {
+  octomap::OcTree::clear();
+  columns_.clear();
+}
+
+void VoxelTree::rebuildColumns() { columns_ = VoxelColumns::of(*this); }
 
 std::vector<Cell> VoxelTree::changedColumns() {
   std::sort(changed_.begin(), changed_.end(), [](const BlockColumns& a, const BlockColumns& b) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mapping/frame_voxels.hpp"
+#include "mapping/voxel_columns.hpp"
 #include "occusg/geometry/cell.hpp"
 
 namespace occusg {
@@ -28,6 +29,15 @@ class VoxelTree final : public octomap::OcTree {
   /// @return the columns in which a voxel became known, free or occupied; row-major, unique.
   std::vector<Cell> integrate(const std::vector<VoxelBlock>& blocks);
 
+  /// The states of the voxels by column; `integrate` keeps them equal to the tree.
+  [[nodiscard]] const VoxelColumns& columns() const { return columns_; }
+
+  /// Needed after the tree changed in any other way than by `integrate` and `clear`.
+  /// @throws Error as `VoxelColumns::of`.
+  void rebuildColumns();
+
+  void clear() override;
+
  private:
   using Node = octomap::OcTreeNode;
 
@@ -45,6 +55,9 @@ class VoxelTree final : public octomap::OcTree {
     std::uint64_t occupied = 0;
   };
 
+  /// Voxels below one node that became free or occupied, from the lowest bit.
+  using Change = Marks;
+
   /// Columns of one block in which something changed.
   struct BlockColumns {
     int x = 0;  ///< Block coordinate, cell / 8.
@@ -56,17 +69,18 @@ class VoxelTree final : public octomap::OcTree {
 
   void updateAbove(const Place& place, unsigned depth, BlockIterator first, BlockIterator last);
   void updateBlock(const Place& place, const VoxelBlock& block);
-  std::uint64_t updateBelow(const Place& place, unsigned voxels, const Marks& marks);
-  std::uint64_t updateLeaf(const Place& place, std::uint64_t all, float log_odds);
+  Change updateBelow(const Place& place, unsigned voxels, const Marks& marks);
+  Change updateLeaf(const Place& place, std::uint64_t all, float log_odds);
 
   [[nodiscard]] static Marks allMarks(BlockIterator first, BlockIterator last);
   [[nodiscard]] Place child(const Place& parent, unsigned index);
   [[nodiscard]] bool isLeaf(const Place& place) const;
   [[nodiscard]] bool ignores(const Place& place, const Marks& marks) const;
   void finish(Node* node);
-  void note(const VoxelBlock& block, const std::array<std::uint64_t, 8>& changed);
+  void note(const VoxelBlock& block, const BlockChange& change);
   [[nodiscard]] std::vector<Cell> changedColumns();
 
+  VoxelColumns columns_;
   std::vector<BlockColumns> changed_;  ///< Of the frame at hand; reused between frames.
 };
 

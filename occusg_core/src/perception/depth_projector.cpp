@@ -76,6 +76,17 @@ std::vector<double> rayTable(int side, int stride, double center, double focal_l
   return slopes;
 }
 
+/// The camera whose pixels are every `stride`-th one of `camera`, from (0, 0).
+CameraModel latticeCamera(const CameraModel& camera, int stride) {
+  const double step = stride;
+  return {(camera.width + stride - 1) / stride,
+          (camera.height + stride - 1) / stride,
+          camera.fx / step,
+          camera.fy / step,
+          camera.cx / step,
+          camera.cy / step};
+}
+
 Point3f toMap(const Pose& T_map_camera, double slope_x, double slope_y, double depth_m) {
   const Eigen::Vector3d in_map =
       T_map_camera * Eigen::Vector3d(slope_x * depth_m, slope_y * depth_m, depth_m);
@@ -107,32 +118,38 @@ class Lattice {
       : config_(config), image_(image), T_map_camera_(T_map_camera) {}
 
   void project(const std::vector<double>& ray_x, const std::vector<double>& ray_y,
-               PointCloud& cloud) const {
+               RangeImage& result) const {
+    std::size_t index = 0;
     for (std::size_t row = 0; row < ray_y.size(); ++row) {
       const Value* pixels = image_.pixels.ptr<Value>(static_cast<int>(row) * config_.stride);
-      for (std::size_t column = 0; column < ray_x.size(); ++column) {
-        projectPixel(pixels[column * static_cast<std::size_t>(config_.stride)], ray_x[column],
-                     ray_y[row], cloud);
+      for (std::size_t column = 0; column < ray_x.size(); ++column, ++index) {
+        const Value value = pixels[column * static_cast<std::size_t>(config_.stride)];
+        const double depth_m = static_cast<double>(value) / image_.units_per_m;
+        const RayEnd kind = kindOf(value, depth_m, result.drops);
+        result.kinds[index] = kind;
+        if (kind == RayEnd::kNone) continue;
+        const bool is_hit = kind == RayEnd::kHit;
+        result.hits += is_hit ? 1 : 0;
+        result.ends[index] = toMap(T_map_camera_, ray_x[column], ray_y[row],
+                                   is_hit ? depth_m : config_.max_depth_m);
       }
     }
   }
 
  private:
-  void projectPixel(Value value, double slope_x, double slope_y, PointCloud& cloud) const {
-    if (std::size_t* reason = noDepth(value, cloud.drops)) {
+  RayEnd kindOf(Value value, double depth_m, PixelDrops& drops) const {
+    if (std::size_t* reason = noDepth(value, drops)) {
       ++*reason;
-      return;
+      return RayEnd::kNone;
     }
-    const double depth_m = static_cast<double>(value) / image_.units_per_m;
     if (depth_m < config_.min_depth_m) {
-      ++cloud.drops.too_near;
-    } else if (depth_m <= config_.max_depth_m) {
-      cloud.points.push_back(toMap(T_map_camera_, slope_x, slope_y, depth_m));
-    } else if (config_.beyond_max_depth == BeyondMaxDepth::kClear) {
-      cloud.misses.push_back(toMap(T_map_camera_, slope_x, slope_y, config_.max_depth_m));
-    } else {
-      ++cloud.drops.too_far;
+      ++drops.too_near;
+      return RayEnd::kNone;
     }
+    if (depth_m <= config_.max_depth_m) return RayEnd::kHit;
+    if (config_.beyond_max_depth == BeyondMaxDepth::kClear) return RayEnd::kMiss;
+    ++drops.too_far;
+    return RayEnd::kNone;
   }
 
   const DepthProjectorConfig& config_;
@@ -148,19 +165,28 @@ DepthProjector::DepthProjector(const DepthProjectorConfig& config) : config_(con
 
 PointCloud DepthProjector::project(const DepthImage& image, const CameraModel& camera,
                                    const Pose& T_map_camera) {
+  return toPointCloud(projectLattice(image, camera, T_map_camera));
+}
+
+const RangeImage& DepthProjector::projectLattice(const DepthImage& image, const CameraModel& camera,
+                                                 const Pose& T_map_camera) {
   prepareRays(camera);
   check(image, camera);
   check(T_map_camera);
 
-  PointCloud cloud;
-  cloud.origin = toMap(T_map_camera, 0.0, 0.0, 0.0);
-  cloud.points.reserve(ray_x_.size() * ray_y_.size());
+  image_.camera = latticeCamera(camera, config_.stride);
+  image_.T_map_camera = T_map_camera;
+  image_.origin = toMap(T_map_camera, 0.0, 0.0, 0.0);
+  image_.hits = 0;
+  image_.drops = {};
+  image_.ends.resize(ray_x_.size() * ray_y_.size());
+  image_.kinds.resize(image_.ends.size());
   if (image.pixels.type() == CV_16UC1) {
-    Lattice<std::uint16_t>(config_, image, T_map_camera).project(ray_x_, ray_y_, cloud);
+    Lattice<std::uint16_t>(config_, image, T_map_camera).project(ray_x_, ray_y_, image_);
   } else {
-    Lattice<float>(config_, image, T_map_camera).project(ray_x_, ray_y_, cloud);
+    Lattice<float>(config_, image, T_map_camera).project(ray_x_, ray_y_, image_);
   }
-  return cloud;
+  return image_;
 }
 
 void DepthProjector::prepareRays(const CameraModel& camera) {

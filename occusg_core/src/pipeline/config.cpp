@@ -63,6 +63,24 @@ void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerC
   list.push_back(numberParameter(
       layer.highest_z_m, {-kInfinity, kInfinity},
       {"mapping.free_space.highest_z_m", "m", "What lies higher does not count.", ".inf"}));
+  list.push_back(choiceParameter<HeightReference>(
+      layer.height_reference,
+      {{"map", HeightReference::kMap}, {"local_floor", HeightReference::kLocalFloor}},
+      {"mapping.free_space.height_reference", "",
+       "What both heights are measured from: zero of the map or the floor near the column.",
+       "map"}));
+
+  ColumnEvidenceConfig& evidence = layer.evidence;
+  list.push_back(numberParameter(
+      evidence.ceiling_height_m, {0.1, 100.0},
+      {"mapping.evidence.ceiling_height_m", "m",
+       "Evidence on a column is taken up to this height above the floor.", ""}));
+  list.push_back(numberParameter(evidence.body_bottom_m, {0.0, 100.0},
+                                 {"mapping.evidence.body_bottom_m", "m",
+                                  "Lower end of the body band, above the floor.", ""}));
+  list.push_back(numberParameter(
+      evidence.body_top_m, {0.01, 100.0},
+      {"mapping.evidence.body_top_m", "m", "Upper end of the body band, above the floor.", ""}));
 }
 
 void addDecomposition(Parameters& list, PipelineConfig& config) {
@@ -270,6 +288,8 @@ void check(const PipelineConfig& config) {
           config.depth.max_depth_m);
   ordered("mapping.free_space.lowest_z_m", config.free_space.lowest_z_m,
           "mapping.free_space.highest_z_m", config.free_space.highest_z_m);
+  ordered("mapping.evidence.body_bottom_m", config.free_space.evidence.body_bottom_m,
+          "mapping.evidence.body_top_m", config.free_space.evidence.body_top_m);
 }
 
 }  // namespace occusg

@@ -12,36 +12,14 @@ namespace {
 // Stamps are read from decimal text: 0.5 s may arrive as 0.49999999.
 constexpr double kStampTolerance_s = 1e-6;
 
-const PipelineConfig& checked(const PipelineConfig& config) {
-  check(config);
-  return config;
-}
-
-void add(PixelDrops& sum, const PixelDrops& drops) {
-  sum.zero += drops.zero;
-  sum.nan += drops.nan;
-  sum.infinite += drops.infinite;
-  sum.negative += drops.negative;
-  sum.too_near += drops.too_near;
-  sum.too_far += drops.too_far;
-}
-
 }  // namespace
 
-Pipeline::Pipeline(const PipelineConfig& config)
-    : config_(checked(config)),
-      projector_(config.depth),
-      occupancy_(config.occupancy),
-      free_space_(config.free_space, GridFrame{config.occupancy.resolution_m}),
-      decomposer_(makeDecomposer(config)),
-      tracker_(config.tracker),
-      graph_(config.graph) {}
+Pipeline::Pipeline(const PipelineConfig& config) : config_(config), map_(config), rooms_(config) {}
 
 void Pipeline::startFrom(OccupancyMap map) {
   if (last_stamp_s_)
     throw refuse("map", "comes after the first frame", "a map to start from comes before it");
-  changed_since_regions_ = changed_since_regions_.including(free_space_.recompute(map).changed);
-  occupancy_ = std::move(map);
+  changed_since_rooms_ = changed_since_rooms_.including(map_.startFrom(std::move(map)).changed);
 }
 
 void Pipeline::process(const DepthFrame& frame) {
@@ -53,14 +31,14 @@ void Pipeline::process(const DepthFrame& frame) {
                      shortestText(*last_stamp_s_) + " s",
                  "frames must come in order of time");
   }
-  timed(times_, Stage::kTotal, [&] {
-    map(frame);
+  timed(totals_, Stage::kTotal, [&] {
+    changed_since_rooms_ = changed_since_rooms_.including(map_.process(frame).changed);
     last_stamp_s_ = frame.stamp_s;
     last_pose_ = frame.T_map_camera;
-    if (regionsAreDue(frame.stamp_s)) {
-      updateRegions(frame.T_map_camera, frame.stamp_s);
+    if (roomsAreDue(frame.stamp_s)) {
+      updateRooms(frame.T_map_camera, frame.stamp_s);
     } else {
-      graph_.observePose(frame.T_map_camera, frame.stamp_s);
+      rooms_.observePose(frame.T_map_camera, frame.stamp_s);
     }
     return true;
   });
@@ -68,56 +46,24 @@ void Pipeline::process(const DepthFrame& frame) {
 
 void Pipeline::finish() {
   if (!last_stamp_s_) return;
-  if (last_region_stamp_s_ != last_stamp_s_) updateRegions(last_pose_, *last_stamp_s_);
-  timed(times_, Stage::kGraph,
-        [&]() -> const SceneGraph& { return graph_.finish(*last_stamp_s_); });
+  if (rooms_.lastUpdate() != last_stamp_s_) updateRooms(last_pose_, *last_stamp_s_);
+  rooms_.finish(*last_stamp_s_);
 }
 
-void Pipeline::map(const DepthFrame& frame) {
-  const PointCloud cloud = timed(times_, Stage::kPointCloud, [&] {
-    return projector_.project(frame.depth, frame.camera, frame.T_map_camera);
-  });
-  const MapChange change =
-      timed(times_, Stage::kOccupancy, [&] { return occupancy_.insert(cloud); });
-  const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
-    return free_space_.update(occupancy_, change);
-  });
-  changed_since_regions_ = changed_since_regions_.including(layer.changed);
-
-  ++counts_.frames;
-  counts_.points += cloud.points.size();
-  counts_.points_outside_map += change.points_outside_map;
-  counts_.frames_outside_map += change.origin_outside_map ? 1 : 0;
-  add(counts_.pixel_drops, cloud.drops);
+bool Pipeline::roomsAreDue(double stamp_s) const {
+  const std::optional<double> last = rooms_.lastUpdate();
+  return !last || stamp_s - *last >= config_.region_period_s - kStampTolerance_s;
 }
 
-bool Pipeline::regionsAreDue(double stamp_s) const {
-  return !last_region_stamp_s_ ||
-         stamp_s - *last_region_stamp_s_ >= config_.region_period_s - kStampTolerance_s;
-}
-
-void Pipeline::updateRegions(const Pose& T_map_camera, double stamp_s) {
-  const Decomposition& decomposition =
-      timed(times_, Stage::kDecomposition, [&]() -> const Decomposition& {
-        return decomposer_->update(free_space_.freeSpace(), changed_since_regions_);
-      });
-  changed_since_regions_ = {};
-  const TrackedRegions& tracked = timed(times_, Stage::kTracking, [&]() -> const TrackedRegions& {
-    return tracker_.update(decomposition);
-  });
-  timed(times_, Stage::kGraph,
-        [&]() -> const SceneGraph& { return graph_.update(tracked, T_map_camera, stamp_s); });
-  last_region_stamp_s_ = stamp_s;
-  ++counts_.region_updates;
-  counts_.rejected_region_updates += tracked.stale ? 1 : 0;
+void Pipeline::updateRooms(const Pose& T_map_camera, double stamp_s) {
+  rooms_.update(freeSpace(), changed_since_rooms_, T_map_camera, stamp_s);
+  changed_since_rooms_ = {};
 }
 
 StageTimes Pipeline::times() const {
-  StageTimes times = times_;
-  times.setMemory(Stage::kOccupancy, occupancy_.tree().memoryUsage());
-  times.setMemory(Stage::kFreeSpace, freeSpace().cells.values().size());
-  times.setMemory(Stage::kTracking,
-                  regions().decomposition.labels.values().size() * sizeof(std::int32_t));
+  StageTimes times = totals_;
+  times.merge(map_.times());
+  times.merge(rooms_.times());
   return times;
 }
 

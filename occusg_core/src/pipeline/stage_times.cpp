@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 namespace occusg {
@@ -54,11 +55,23 @@ StageSummary summarize(std::vector<double> durations_ms) {
 }
 
 void StageTimes::add(Stage stage, double duration_ms) {
-  durations_ms_[indexOf(stage)].push_back(duration_ms);
+  std::vector<double>& durations_ms = durations_ms_[indexOf(stage)];
+  if (durations_ms.size() >= kMaxKeptDurations) {
+    durations_ms.erase(durations_ms.begin(),
+                       durations_ms.begin() + static_cast<std::ptrdiff_t>(kMaxKeptDurations / 2));
+  }
+  durations_ms.push_back(duration_ms);
 }
 
 void StageTimes::setMemory(Stage stage, std::size_t bytes) {
   memory_bytes_[indexOf(stage)] = bytes;
+}
+
+void StageTimes::merge(const StageTimes& other) {
+  for (const Stage stage : kStages) {
+    for (const double duration_ms : other.durations_ms_[indexOf(stage)]) add(stage, duration_ms);
+    memory_bytes_[indexOf(stage)] += other.memory_bytes_[indexOf(stage)];
+  }
 }
 
 StageSummary StageTimes::summary(Stage stage) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_candidates.hpp"
+#include "regions/dude_candidates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <tuple>
 
-#include "occusg/regions/dude_holes.hpp"
-#include "occusg/regions/dude_pockets.hpp"
+#include "regions/dude_holes.hpp"
+#include "regions/dude_pockets.hpp"
 
 namespace occusg {
 namespace {

@@ -3,7 +3,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "occusg/regions/dude_candidates.hpp"
+#include "regions/dude_candidates.hpp"
 
 namespace occusg {
 

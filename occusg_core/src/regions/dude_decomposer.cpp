@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "occusg/error.hpp"
-#include "occusg/regions/dude_holes.hpp"
+#include "regions/dude_holes.hpp"
 
 namespace occusg {
 namespace {

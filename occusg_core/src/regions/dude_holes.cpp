@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_holes.hpp"
+#include "regions/dude_holes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
-#include "occusg/regions/dude_pockets.hpp"
+#include "regions/dude_pockets.hpp"
 
 namespace occusg {
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "occusg/regions/dude_holes.hpp"
+#include "regions/dude_holes.hpp"
 
 namespace occusg {
 namespace {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "occusg/regions/dude_candidates.hpp"
-#include "occusg/regions/dude_holes.hpp"
-#include "occusg/regions/dude_mesh.hpp"
-#include "occusg/regions/dude_pieces.hpp"
-#include "occusg/regions/dude_symmetry.hpp"
+#include "regions/dude_candidates.hpp"
+#include "regions/dude_holes.hpp"
+#include "regions/dude_mesh.hpp"
+#include "regions/dude_pieces.hpp"
+#include "regions/dude_symmetry.hpp"
 
 namespace occusg {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_pieces.hpp"
+#include "regions/dude_pieces.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_symmetry.hpp"
+#include "regions/dude_symmetry.hpp"
 
 #include <algorithm>
 #include <utility>

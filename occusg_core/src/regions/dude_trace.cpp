@@ -2,7 +2,7 @@
 #include "occusg/regions/dude_trace.hpp"
 
 #include "occusg/regions/dude_decomposer.hpp"
-#include "occusg/regions/dude_pockets.hpp"
+#include "regions/dude_pockets.hpp"
 
 namespace occusg {
 namespace {

@@ -266,6 +266,7 @@ void expectUpdatesEqualRecompute(const std::vector<PointCloud>& frames,
     const FreeSpace& by_update = updated.update(map, map.insert(frames[i]));
     const FreeSpace& from_scratch = oracle.recompute(map);
     ASSERT_TRUE(by_update.cells == from_scratch.cells);
+    ASSERT_TRUE(by_update.evidence == from_scratch.evidence);
     ASSERT_EQ(by_update.changed, from_scratch.changed);
   }
 }
@@ -281,6 +282,10 @@ TEST(FreeSpaceLayer, Row04UpdatesEqualRecomputeCellForCell) {
     if (seed % 3 == 0) {
       config.lowest_z_m = -0.3;
       config.highest_z_m = 0.4;
+    }
+    if (seed > 4) {
+      config.height_reference = HeightReference::kLocalFloor;
+      config.evidence = {0.4, 0.1, 0.3};
     }
     std::vector<PointCloud> frames;
     for (int frame = 0; frame < 24; ++frame) {
@@ -308,6 +313,48 @@ TEST(FreeSpaceLayer, Row04UpdatesEqualRecomputeInARoomWhoseWallMoves) {
     frames.push_back(scanOfBox({-1.0F, 0.1F, 1.2F}, room, 3000, random));
   }
   expectUpdatesEqualRecompute(frames, map_config, config);
+  config.height_reference = HeightReference::kLocalFloor;
+  expectUpdatesEqualRecompute(frames, map_config, config);
+}
+
+TEST(FreeSpaceLayer, HeightLimitsFollowTheLocalFloor) {
+  // Two storeys' worth of steps: a floor at 0 m, one at 3 m, and a beam 1.5 m above each.
+  OccupancyMap map = emptyMap();
+  const auto addFloor = [&map](int first_x, int floor) {
+    for (int x = first_x; x < first_x + 16; ++x)
+      for (int y = 0; y < 16; ++y) {
+        const bool is_under_beam = x == first_x + 8;
+        map.insert(occupiedVoxel({x, y}, floor - 1));
+        map.insert(freeColumn({x, y}, floor, floor + (is_under_beam ? 30 : 50)));
+        if (is_under_beam) map.insert(occupiedVoxel({x, y}, floor + 30));
+      }
+  };
+  addFloor(0, 0);
+  addFloor(64, 60);
+  FreeSpaceLayerConfig config;
+  config.lowest_z_m = 1.25;
+  config.highest_z_m = 1.55;
+  const FreeSpace by_map = layerOf(map, config);
+  EXPECT_EQ(valueAt(by_map, {4, 4}), kFree);
+  EXPECT_NE(valueAt(by_map, {8, 4}), kFree);
+  EXPECT_EQ(valueAt(by_map, {68, 4}), kUnknown);
+  config.height_reference = HeightReference::kLocalFloor;
+  const FreeSpace by_floor = layerOf(map, config);
+  for (const int x : {0, 64}) {
+    EXPECT_EQ(valueAt(by_floor, {x + 4, 4}), kFree) << x;
+    EXPECT_NE(valueAt(by_floor, {x + 8, 4}), kFree) << x;
+  }
+}
+
+TEST(FreeSpaceLayer, WithoutAFloorAllHeightsCount) {
+  OccupancyMap map = emptyMap();
+  map.insert(freeColumn({0, 0}, 200, 206));
+  FreeSpaceLayerConfig config;
+  config.lowest_z_m = 0.0;
+  config.highest_z_m = 1.0;
+  EXPECT_EQ(valueAt(layerOf(map, config), {0, 0}), kUnknown);
+  config.height_reference = HeightReference::kLocalFloor;
+  EXPECT_EQ(valueAt(layerOf(map, config), {0, 0}), kFree);
 }
 
 TEST(FreeSpaceLayer, ResetForgetsTheLayer) {

@@ -135,6 +135,7 @@ TEST(Pipeline, WithoutFramesThereIsNothingAndNoError) {
 TEST(Pipeline, EveryStageReportsItsTimeAndTheMapsTheirMemory) {
   const StageTimes times = driven().times();
   for (const Stage stage : kStages) EXPECT_GT(times.summary(stage).count, 0U) << nameOf(stage);
+  EXPECT_GT(times.memoryBytes(Stage::kPointCloud), 0U);
   EXPECT_GT(times.memoryBytes(Stage::kOccupancy), 0U);
   EXPECT_GT(times.memoryBytes(Stage::kFreeSpace), 0U);
   const std::string json = timingJson(times);

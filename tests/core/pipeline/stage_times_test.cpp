@@ -52,5 +52,26 @@ TEST(StageTimes, MemoryIsKeptPerStage) {
   EXPECT_EQ(times.memoryBytes(Stage::kFreeSpace), 0U);
 }
 
+TEST(StageTimes, MergeAddsDurationsAndMemory) {
+  StageTimes times;
+  times.add(Stage::kGraph, 1.0);
+  times.setMemory(Stage::kGraph, 10);
+  StageTimes other;
+  other.add(Stage::kGraph, 3.0);
+  other.setMemory(Stage::kGraph, 5);
+  times.merge(other);
+  EXPECT_EQ(times.summary(Stage::kGraph).count, 2U);
+  EXPECT_DOUBLE_EQ(times.summary(Stage::kGraph).mean_ms, 2.0);
+  EXPECT_EQ(times.memoryBytes(Stage::kGraph), 15U);
+}
+
+TEST(StageTimes, OldDurationsGoSoThatDaysOfThemFit) {
+  StageTimes times;
+  for (std::size_t i = 0; i < kMaxKeptDurations; ++i) times.add(Stage::kGraph, 1.0);
+  times.add(Stage::kGraph, 2.0);
+  EXPECT_EQ(times.summary(Stage::kGraph).count, kMaxKeptDurations / 2 + 1);
+  EXPECT_DOUBLE_EQ(times.summary(Stage::kGraph).max_ms, 2.0);
+}
+
 }  // namespace
 }  // namespace occusg

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_holes.hpp"
+#include "regions/dude_holes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_mesh.hpp"
+#include "regions/dude_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "occusg/regions/dude_pieces.hpp"
+#include "regions/dude_pieces.hpp"
 
 namespace occusg {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_pockets.hpp"
+#include "regions/dude_pockets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 
 #include "occusg/geometry/cell_outline.hpp"
 #include "occusg/regions/dude_decomposer.hpp"
-#include "occusg/regions/dude_holes.hpp"
-#include "occusg/regions/dude_symmetry.hpp"
+#include "regions/dude_holes.hpp"
+#include "regions/dude_symmetry.hpp"
 
 namespace occusg {
 namespace {

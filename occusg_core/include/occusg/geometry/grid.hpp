@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -37,8 +38,9 @@ class Grid {
     if (wanted == box_) return;
     Grid larger(wanted, fill);
     for (int y = box_.min.y; y < box_.max.y; ++y) {
-      for (int x = box_.min.x; x < box_.max.x; ++x)
-        larger.at({x, y}) = std::move(values_[index({x, y})]);
+      const auto row = values_.begin() + static_cast<std::ptrdiff_t>(index({box_.min.x, y}));
+      const auto place = static_cast<std::ptrdiff_t>(larger.index({box_.min.x, y}));
+      std::move(row, row + box_.width(), larger.values_.begin() + place);
     }
     *this = std::move(larger);
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <variant>
 
@@ -43,9 +44,15 @@ struct AgentAttributes {
   Pose T_map_camera = Pose::Identity();
 };
 
+/// A thing that was seen; its node is at the mean of the centroids it was seen with.
 struct ObjectAttributes {
-  std::string class_name;  ///< Empty: no class known.
-  double score = 0.0;      ///< Of the detection, 0..1.
+  std::string class_name;  ///< The one seen most; empty: no class known.
+  double score = 0.0;      ///< Mean confidence of the detections, 0..1.
+  int observations = 0;    ///< How many detections it is made of.
+  /// Upright, along the axes of the map frame [m]; holds all that was seen of it. May be empty.
+  Eigen::AlignedBox3d box = Eigen::AlignedBox3d();
+  /// Summed confidence of the detections by class.
+  std::map<std::string, double> class_histogram = {};
 };
 
 /// A block of free space.
@@ -54,9 +61,12 @@ struct NavigationAttributes {
   int free_cells = 0;  ///< Free cells in the block.
 };
 
-/// A passage between two rooms.
+/// A passage between two rooms; its node is at the midpoint.
 struct DoorAttributes {
-  Segment2 segment;  ///< Map frame [m].
+  Segment2 segment;      ///< From jamb to jamb, map frame [m].
+  double width_m = 0.0;  ///< Length of `segment`.
+  NodeId room_a = 0;     ///< The rooms it joins; the smaller id first.
+  NodeId room_b = 0;
 };
 
 using NodeAttributes = std::variant<AgentAttributes, ObjectAttributes, NavigationAttributes,

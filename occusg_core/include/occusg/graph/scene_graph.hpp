@@ -2,31 +2,36 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "occusg/graph/change_log.hpp"
 #include "occusg/graph/edge.hpp"
 #include "occusg/graph/node.hpp"
+#include "occusg/graph/node_table.hpp"
 
 namespace occusg {
 
-/// The hierarchical 3D scene graph (paper, Sec. 3.1): nodes and edges, indexed by type and id.
-/// Everything iterates in the order of ids. Look-ups are logarithmic; none scans.
+/// The hierarchical 3D scene graph (paper, Sec. 3.1): nodes and edges, indexed by type, id and
+/// place. Everything iterates in the order of ids. A node is found by its id in constant time, an
+/// edge in logarithmic time, what is near a place at the cost of what is there; nothing scans.
 ///
 /// Five functions change it: `add`, `update`, `remove`, `connect`, `disconnect`. They keep its
 /// rules: edges join existing nodes of the right types, a member is in at most one room, temporal
-/// edges lead to younger agents, and an id is never used twice.
+/// edges lead to younger agents, and an id is never used twice. All they do is logged.
 class SceneGraph {
  public:
-  using NodeMap = std::map<NodeId, Node>;
+  using NodeMap = NodeTable::NodeMap;
   using EdgeMap = std::map<std::pair<NodeId, NodeId>, Edge>;  ///< By (source, target).
 
   /// Adds a node of the type of `attributes`, created and last seen at `stamp_s`.
   /// @throws Error when the position or the stamp is not finite, or the type has no ids left.
-  const Node& add(const Eigen::Vector3d& position, double stamp_s, NodeAttributes attributes);
+  const Node& add(const Eigen::Vector3d& position, double stamp_s, NodeAttributes attributes,
+                  int floor_id = 0);
 
   /// Replaces the node of that id.
   /// @throws Error when there is none, its type differs, or a value is not finite.
@@ -65,6 +70,28 @@ class SceneGraph {
   /// The room that contains the node.
   [[nodiscard]] std::optional<NodeId> roomOf(NodeId member) const;
 
+  /// The accepted node of the type nearest to `point` in the ground plane, at most `max_distance_m`
+  /// away; the smaller id of two equally near.
+  [[nodiscard]] std::optional<NodeId> nearest(
+      NodeType type, const Point2& point, double max_distance_m,
+      const std::function<bool(const Node&)>& accept = [](const Node&) { return true; }) const;
+  /// Nodes of the type at most `radius_m` from `center` in the ground plane, nearest first.
+  [[nodiscard]] std::vector<NodeId> withinRadius(NodeType type, const Point2& center,
+                                                 double radius_m) const;
+  /// Nodes of the type in the box, its edge included, by id.
+  [[nodiscard]] std::vector<NodeId> inBox(NodeType type, const Bounds2& box) const;
+
+  /// Changes from now on belong to this stamp (see `revisionAt`); it does not go back.
+  /// @throws Error when it is not finite.
+  void setStamp(double stamp_s);
+  /// Counts the changes ever made.
+  [[nodiscard]] Revision revision() const { return log_.revision(); }
+  /// The revision after all remembered changes up to `stamp_s`.
+  [[nodiscard]] Revision revisionAt(double stamp_s) const { return log_.revisionAt(stamp_s); }
+  /// What was added, changed and removed after `revision`; the log holds the last
+  /// `ChangeLog::kCapacity` changes, and the answer says when it does not reach back so far.
+  [[nodiscard]] GraphChanges changesSince(Revision revision) const { return log_.since(revision); }
+
  private:
   struct Edges {
     EdgeMap by_source;
@@ -74,9 +101,10 @@ class SceneGraph {
   void checkEnds(const Edge& edge) const;
   void removeEdges(EdgeType type, NodeId node);
 
-  std::array<NodeMap, kNodeTypeCount> nodes_;
+  std::array<NodeTable, kNodeTypeCount> nodes_;
   std::array<NodeId, kNodeTypeCount> added_{};  ///< How many nodes of each type there ever were.
   std::array<Edges, kEdgeTypeCount> edges_;
+  ChangeLog log_;
 };
 
 }  // namespace occusg

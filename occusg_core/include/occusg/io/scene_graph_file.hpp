@@ -16,9 +16,12 @@ inline constexpr int kSceneGraphFileVersion = 1;
 ///
 /// A node has "id", "type" (`nameOf(NodeType)`), "position" [x, y, z] in metres, "created_s",
 /// "last_seen_s", "floor_id", and by type: AGENT "orientation" [qx, qy, qz, qw] of the camera's
-/// optical frame; OBJECT "class", "score"; NAVIGATION "block" [x, y], "free_cells"; ROOM "name",
-/// "label", "region_id", "reason", "area_m2", "polygon", "holes", and "unsupported_since_s" while
-/// its region is missing; DOOR "segment". An edge has "type", "source", "target"; ROOM_ADJACENCY
+/// optical frame; OBJECT "class", "score", "observations", "class_histogram" {class: sum of
+/// scores}, "box" [[min], [max]] if there is one; NAVIGATION "block" [x, y], "free_cells"; ROOM
+/// "name", "state" (confirmed, partial), "frontier_share", "label", "label_score", "label_source"
+/// (automatic, person), "region_id", "reason", "area_m2", "polygon", "holes", and
+/// "unsupported_since_s" while its region is missing; DOOR "segment", "width_m", "rooms" [id, id].
+/// An edge has "type", "source", "target"; ROOM_ADJACENCY
 /// also "crossings". Nodes are ordered by id, edges by type, source, target. Lengths are rounded to
 /// 1e-4 m, stamps and orientations to 1e-6.
 /// @throws Error when a value is not finite.

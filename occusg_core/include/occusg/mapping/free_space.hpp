@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "occusg/geometry/grid.hpp"
+#include "occusg/geometry/tiled_grid.hpp"
+#include "occusg/mapping/column_evidence.hpp"
 
 namespace occusg {
 
@@ -18,6 +20,7 @@ struct FreeSpace {
   GridFrame frame;
   Grid<std::int8_t> cells;
   CellBox changed;  ///< Bounds of the cells that differ from the previous update's.
+  TiledGrid<ColumnEvidence> evidence{};  ///< What the cells follow from; empty for a 2D map.
 };
 
 }  // namespace occusg

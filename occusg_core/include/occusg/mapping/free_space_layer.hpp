@@ -6,19 +6,31 @@
 #include <limits>
 #include <vector>
 
+#include "occusg/geometry/tiled_grid.hpp"
+#include "occusg/mapping/column_evidence.hpp"
 #include "occusg/mapping/free_space.hpp"
+#include "occusg/mapping/local_floor.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
 #include "occusg/mapping/voxel_run.hpp"
 
 namespace occusg {
 
+class VoxelColumns;
+
+/// What the height limits of the layer are measured from.
+enum class HeightReference {
+  kMap,         ///< Zero of the map frame.
+  kLocalFloor,  ///< The floor near the column; where none is known, all heights count.
+};
+
 struct FreeSpaceLayerConfig {
   double min_free_gap_m = 0.30;  ///< Shortest free vertical run that makes a cell free [m].
   int min_obstacle_level = 5;  ///< Cells below this level are unknown rather than obstacle, 0..100.
-  /// Only voxels that lie wholly between these heights count, in the map frame [m]. The paper uses
-  /// all heights.
+  /// Only voxels that lie wholly between these heights count [m]. The paper uses all heights.
   double lowest_z_m = -std::numeric_limits<double>::infinity();
   double highest_z_m = std::numeric_limits<double>::infinity();
+  HeightReference height_reference = HeightReference::kMap;
+  ColumnEvidenceConfig evidence{};
 };
 
 /// The layer's box is the bounds of all columns with a known voxel, at whatever height, widened to
@@ -34,46 +46,56 @@ inline constexpr std::size_t kMaxLayerCells = std::size_t{1} << 26;
 /// 2024): a column is free when it has a free run of at least `min_free_gap_m`; a column without
 /// one, beside a free column (8 neighbours), is an obstacle to the degree in which it fills that
 /// column's lowest such run, 2 * floor(100 * filled / free) up to 100 and the largest over the
-/// neighbours; everything else is unknown.
+/// neighbours; everything else is unknown. Beside these values it carries what is known about each
+/// column above the local floor, `ColumnEvidence`.
 class FreeSpaceLayer {
  public:
   /// @param frame must have the resolution of the maps given to `update`.
   /// @throws Error naming the field, its value and the allowed range.
   FreeSpaceLayer(const FreeSpaceLayerConfig& config, const GridFrame& frame);
 
-  /// Recomputes the columns in `change` and the cells beside them; afterwards the layer equals
-  /// `recompute` of the same map, box and cells, provided every change of the map was given. Cost
-  /// follows the change, not the map.
+  /// Recomputes the columns in `change`, those whose local floor moved, and the cells beside them;
+  /// afterwards the layer equals `recompute` of the same map, box, cells and evidence, provided
+  /// every change of the map was given. Cost follows the change, not the map.
   /// @throws Error when the map has another resolution or spans more than kMaxLayerCells; the layer
   /// is as it was before.
   const FreeSpace& update(const OccupancyMap& map, const MapChange& change);
 
-  /// Recomputes everything: for a map that was loaded, and as the test oracle.
+  /// Recomputes everything from the tree: for a map that was loaded, and as the test oracle.
   const FreeSpace& recompute(const OccupancyMap& map);
 
   /// In `changed`, cells the layer did not cover before count as having been unknown.
   [[nodiscard]] const FreeSpace& freeSpace() const { return layer_; }
   void reset();
+  /// Memory held for the layer and its evidence [bytes].
+  [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
+  struct Reading;
+
   struct ColumnState {
     VoxelRun lowest_free;  ///< Lowest free run long enough; empty when there is none.
     bool queued = false;   ///< In `queue_`.
+    friend bool operator==(const ColumnState& a, const ColumnState& b) {
+      return a.lowest_free == b.lowest_free;
+    }
   };
 
   void checkResolution(const OccupancyMap& map) const;
   void cover(const CellBox& known_columns);
-  void remeasure(const octomap::OcTree& tree, const Cell& cell);
+  void apply(const VoxelColumns& columns, const std::vector<Cell>& changed);
+  void remeasure(const Reading& reading, const Cell& cell);
   void queue(const Cell& cell);
-  void evaluate(const octomap::OcTree& tree, const Cell& cell);
-  [[nodiscard]] std::int8_t valueOf(const octomap::OcTree& tree, const Cell& cell);
+  void evaluate(Reading& reading, const Cell& cell);
+  [[nodiscard]] std::int8_t valueOf(Reading& reading, const Cell& cell) const;
+  [[nodiscard]] VoxelRun heightsAt(std::int16_t floor) const;
 
   FreeSpaceLayerConfig config_;
-  int needed_voxels_;          ///< Length of the shortest run that counts.
-  VoxelRun heights_;           ///< Voxels between the height limits.
-  Grid<ColumnState> columns_;  ///< Same box as the layer.
-  std::vector<Cell> queue_;    ///< Cells whose value must be found anew; empty between updates.
-  std::vector<VoxelRun> occupied_;  ///< Reused between cells.
+  int needed_voxels_;  ///< Length of the shortest run that counts.
+  VoxelRun heights_;   ///< Voxels between the height limits.
+  LocalFloor floors_;
+  TiledGrid<ColumnState> columns_;
+  std::vector<Cell> queue_;  ///< Cells whose value must be found anew; empty between updates.
   FreeSpace layer_;
 };
 

@@ -9,11 +9,26 @@
 
 #include "occusg/geometry/cell.hpp"
 #include "occusg/perception/point_cloud.hpp"
+#include "occusg/perception/range_image.hpp"
 
 namespace occusg {
 
+class FrameCarver;
+class FrameRays;
 class FrameVoxels;
+class VoxelColumns;
 class VoxelTree;
+
+/// How the voxels are found that a frame saw free.
+enum class IntegrationMode {
+  kReference,  ///< One ray a point, walked voxel by voxel: `insertPointCloud` node by node.
+  /// The same voxels from the whole image at once: voxels differ only where a ray passes an edge of
+  /// theirs within rounding.
+  kExact,
+  /// Voxels at the rim of what was seen are left out unless the ray nearest to their centre passes
+  /// them: no voxel is free that is not in `kExact`.
+  kFast,
+};
 
 struct OccupancyMapConfig {
   double resolution_m = 0.05;     ///< Voxel edge [m], [0.001, 10].
@@ -22,6 +37,7 @@ struct OccupancyMapConfig {
   double miss_probability = 0.4;  ///< (0, 0.5).
   double min_probability = 0.12;  ///< Lower clamp, (0, 0.5).
   double max_probability = 0.97;  ///< Upper clamp, (0.5, 1).
+  IntegrationMode mode = IntegrationMode::kExact;
 };
 
 /// Longest range, in voxels.
@@ -59,19 +75,27 @@ class OccupancyMap {
 
   /// Integrates one frame. Linear in the voxels its rays pass.
   MapChange insert(const PointCloud& cloud);
+  /// Integrates one frame that has its pixel lattice, which the modes other than `kReference` make
+  /// use of: linear in the surface of the space its rays pass.
+  MapChange insert(const RangeImage& image);
 
   [[nodiscard]] const octomap::OcTree& tree() const;
+  /// The states of the tree's voxels by column, for the free-space layer.
+  [[nodiscard]] const VoxelColumns& columns() const;
+  /// Memory of the tree and its columns, without what the allocator adds [bytes]. Visits every node.
+  [[nodiscard]] std::size_t memoryBytes() const;
   [[nodiscard]] const OccupancyMapConfig& config() const { return config_; }
   /// Forgets everything.
   void reset();
 
  private:
-  enum class RayEnd { kHit, kMiss };
   [[nodiscard]] bool markRay(const octomap::point3d& origin, const Point3f& end, RayEnd meaning);
 
   OccupancyMapConfig config_;
   std::unique_ptr<VoxelTree> tree_;
-  std::unique_ptr<FrameVoxels> frame_;  ///< Reused between frames.
+  std::unique_ptr<FrameVoxels> frame_;  ///< Reused between frames, as what follows.
+  std::unique_ptr<FrameRays> rays_;
+  std::unique_ptr<FrameCarver> carver_;
   octomap::KeyRay ray_;                 ///< Reused between rays.
 };
 

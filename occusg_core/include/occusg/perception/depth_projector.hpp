@@ -7,6 +7,7 @@
 #include "occusg/geometry/pose.hpp"
 #include "occusg/perception/camera_model.hpp"
 #include "occusg/perception/point_cloud.hpp"
+#include "occusg/perception/range_image.hpp"
 
 namespace occusg {
 
@@ -37,10 +38,15 @@ class DepthProjector {
   /// 0 <= min_depth_m < max_depth_m, both finite.
   explicit DepthProjector(const DepthProjectorConfig& config);
 
-  /// Back-projects the pixel lattice: points in row-major pixel order, computed in double precision
-  /// and rounded once. The ray tables are kept while the camera stays the same.
+  /// Back-projects the pixel lattice, in double precision and rounded once. The ray tables are kept
+  /// while the camera stays the same.
+  /// @return valid until the next call.
   /// @throws Error when the camera is not valid, the image's type, size or unit does not fit, or
   /// the pose is not finite.
+  [[nodiscard]] const RangeImage& projectLattice(const DepthImage& image, const CameraModel& camera,
+                                                 const Pose& T_map_camera);
+
+  /// The same points without the lattice they belong to, in row-major pixel order.
   [[nodiscard]] PointCloud project(const DepthImage& image, const CameraModel& camera,
                                    const Pose& T_map_camera);
 
@@ -51,6 +57,7 @@ class DepthProjector {
   CameraModel camera_;         ///< Camera the ray tables below belong to.
   std::vector<double> ray_x_;  ///< (u - cx) / fx per lattice column.
   std::vector<double> ray_y_;  ///< (v - cy) / fy per lattice row.
+  RangeImage image_;           ///< Reused between frames.
 };
 
 }  // namespace occusg

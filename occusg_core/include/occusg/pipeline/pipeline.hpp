@@ -2,34 +2,21 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 
-#include "occusg/graph/graph_builder.hpp"
-#include "occusg/mapping/free_space_layer.hpp"
-#include "occusg/mapping/occupancy_map.hpp"
 #include "occusg/perception/depth_frame.hpp"
-#include "occusg/perception/depth_projector.hpp"
 #include "occusg/pipeline/config.hpp"
+#include "occusg/pipeline/map_pipeline.hpp"
+#include "occusg/pipeline/room_pipeline.hpp"
 #include "occusg/pipeline/stage_times.hpp"
-#include "occusg/regions/decomposer.hpp"
-#include "occusg/regions/region_tracker.hpp"
 
 namespace occusg {
 
 /// What the frames so far brought.
-struct PipelineCounts {
-  std::size_t frames = 0;
-  std::size_t points = 0;
-  PixelDrops pixel_drops;
-  std::size_t points_outside_map = 0;
-  std::size_t frames_outside_map = 0;
-  std::size_t region_updates = 0;
-  std::size_t rejected_region_updates = 0;  ///< By the acceptance guard.
-};
+struct PipelineCounts : MapCounts, RoomCounts {};
 
-/// Composes the stages; the only place that knows them all. Logical time: it is driven by the
-/// stamps of its frames, so equal recordings give equal results.
+/// Composes the stages, with the two halves of the pipeline on one clock. Logical time: it is
+/// driven by the stamps of its frames, so equal recordings give equal results.
 class Pipeline {
  public:
   /// @throws Error when the configuration breaks a rule.
@@ -50,33 +37,26 @@ class Pipeline {
   void finish();
 
   [[nodiscard]] const PipelineConfig& config() const { return config_; }
-  [[nodiscard]] const OccupancyMap& occupancyMap() const { return occupancy_; }
-  [[nodiscard]] const FreeSpace& freeSpace() const { return free_space_.freeSpace(); }
-  [[nodiscard]] const TrackedRegions& regions() const { return tracker_.regions(); }
-  [[nodiscard]] const SceneGraph& graph() const { return graph_.graph(); }
-  [[nodiscard]] const PipelineCounts& counts() const { return counts_; }
+  [[nodiscard]] const OccupancyMap& occupancyMap() const { return map_.occupancyMap(); }
+  [[nodiscard]] const FreeSpace& freeSpace() const { return map_.freeSpace(); }
+  [[nodiscard]] const TrackedRegions& regions() const { return rooms_.regions(); }
+  [[nodiscard]] const SceneGraph& graph() const { return rooms_.graph(); }
+  [[nodiscard]] PipelineCounts counts() const { return {map_.counts(), rooms_.counts()}; }
   /// Durations so far, and the memory each stage's result holds now.
   [[nodiscard]] StageTimes times() const;
 
  private:
-  void map(const DepthFrame& frame);
-  void updateRegions(const Pose& T_map_camera, double stamp_s);
-  [[nodiscard]] bool regionsAreDue(double stamp_s) const;
+  void updateRooms(const Pose& T_map_camera, double stamp_s);
+  [[nodiscard]] bool roomsAreDue(double stamp_s) const;
 
   PipelineConfig config_;
-  DepthProjector projector_;
-  OccupancyMap occupancy_;
-  FreeSpaceLayer free_space_;
-  std::unique_ptr<Decomposer> decomposer_;
-  RegionTracker tracker_;
-  GraphBuilder graph_;
+  MapPipeline map_;
+  RoomPipeline rooms_;
 
-  CellBox changed_since_regions_;  ///< Free-space cells not yet seen by the decomposer.
+  CellBox changed_since_rooms_;  ///< Free-space cells `rooms_` has not seen yet.
   std::optional<double> last_stamp_s_;
-  std::optional<double> last_region_stamp_s_;
   Pose last_pose_ = Pose::Identity();
-  PipelineCounts counts_;
-  StageTimes times_;
+  StageTimes totals_;  ///< Of whole frames.
 };
 
 }  // namespace occusg

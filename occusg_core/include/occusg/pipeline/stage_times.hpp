@@ -32,11 +32,17 @@ struct StageSummary {
 
 [[nodiscard]] StageSummary summarize(std::vector<double> durations_ms);
 
+/// Durations of a stage that are kept, so that a pipeline that runs for days does not grow: the
+/// newest half of these at least.
+inline constexpr std::size_t kMaxKeptDurations = 200'000;
+
 /// How long each stage took, and how much memory its result holds.
 class StageTimes {
  public:
   void add(Stage stage, double duration_ms);
   void setMemory(Stage stage, std::size_t bytes);
+  /// Adds all durations and memory of `other`.
+  void merge(const StageTimes& other);
   [[nodiscard]] StageSummary summary(Stage stage) const;
   [[nodiscard]] std::size_t memoryBytes(Stage stage) const;
 

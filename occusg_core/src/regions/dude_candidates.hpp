@@ -6,8 +6,8 @@
 
 #include "occusg/geometry/cell_outline.hpp"
 #include "occusg/geometry/grid.hpp"
-#include "occusg/regions/dude_mesh.hpp"
-#include "occusg/regions/dude_symmetry.hpp"
+#include "regions/dude_mesh.hpp"
+#include "regions/dude_symmetry.hpp"
 
 namespace occusg {
 

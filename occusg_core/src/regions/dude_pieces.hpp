@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "occusg/geometry/grid.hpp"
-#include "occusg/regions/dude_candidates.hpp"
-#include "occusg/regions/dude_mesh.hpp"
+#include "regions/dude_candidates.hpp"
+#include "regions/dude_mesh.hpp"
 
 namespace occusg {
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A long drive through a generated building nobody has seen before: whether the cost of a frame
+// grows with the map. Prints a table of tenths of the drive and, last, one JSON object. Times are
+// CPU times of one thread.
+// Usage: driving_benchmark [FRAMES [AREA_M2]]   (7200 frames, 2 a second for an hour, in 10 000 m2)
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "generated_building.hpp"
+#include "occusg/mapping/free_space_layer.hpp"
+#include "occusg/mapping/occupancy_map.hpp"
+#include "thread_clock.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr int kParts = 10;
+
+struct FrameTime {
+  double occupancy_ms = 0.0;
+  double free_space_ms = 0.0;
+};
+
+/// Resident memory of the process [MiB].
+double residentMemory() {
+  std::ifstream statm("/proc/self/statm");
+  double total_pages = 0.0;
+  double resident_pages = 0.0;
+  statm >> total_pages >> resident_pages;
+  return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct Part {
+  double occupancy_ms = 0.0;  ///< Median, as the next.
+  double free_space_ms = 0.0;
+  double worst_free_space_ms = 0.0;
+};
+
+Part summaryOf(const std::vector<FrameTime>& times) {
+  std::vector<double> occupancy_ms;
+  std::vector<double> free_space_ms;
+  for (const FrameTime& time : times) {
+    occupancy_ms.push_back(time.occupancy_ms);
+    free_space_ms.push_back(time.free_space_ms);
+  }
+  return {median(occupancy_ms), median(free_space_ms),
+          *std::max_element(free_space_ms.begin(), free_space_ms.end())};
+}
+
+/// The whole hour covers the building once, whatever the number of frames.
+double lengthOf(const GeneratedBuilding& building) {
+  constexpr double kRoom_m = 5.2;
+  return building.rooms_x * building.rooms_y * kRoom_m;
+}
+
+void run(int frames, double area_m2) {
+  const GeneratedBuilding building = buildingOf(area_m2);
+  const double length_m = lengthOf(building);
+  const std::vector<CameraPlace> places = drive(building, 0, length_m, length_m / frames);
+  OccupancyMap map{OccupancyMapConfig{}};
+  FreeSpaceLayer layer({}, GridFrame{0.05});
+  std::vector<Part> parts;
+  std::cout << std::fixed << std::setprecision(3)
+            << "part  occupancy ms  free space ms  worst ms  resident MiB\n";
+  for (int part = 0; part < kParts; ++part) {
+    std::vector<FrameTime> times;
+    const std::size_t end = places.size() * static_cast<std::size_t>(part + 1) / kParts;
+    for (std::size_t i = places.size() * static_cast<std::size_t>(part) / kParts; i < end; ++i) {
+      const PointCloud cloud = seenIn(building, places[i]);
+      const double start_s = threadTime();
+      const MapChange change = map.insert(cloud);
+      const double mapped_s = threadTime();
+      (void)layer.update(map, change);
+      times.push_back({1e3 * (mapped_s - start_s), 1e3 * (threadTime() - mapped_s)});
+    }
+    parts.push_back(summaryOf(times));
+    std::cout << std::setw(4) << part + 1 << std::setw(14) << parts.back().occupancy_ms
+              << std::setw(15) << parts.back().free_space_ms << std::setw(10)
+              << parts.back().worst_free_space_ms << std::setw(14) << residentMemory() << std::endl;
+  }
+  const double first_ms = parts.front().occupancy_ms + parts.front().free_space_ms;
+  const double last_ms = parts.back().occupancy_ms + parts.back().free_space_ms;
+  std::cout << "{\"frames\": " << places.size() << ", \"area_m2\": " << building.area()
+            << ", \"first_tenth_ms\": " << first_ms << ", \"last_tenth_ms\": " << last_ms
+            << ", \"growth\": " << last_ms / first_ms << ", \"free_space_growth\": "
+            << parts.back().free_space_ms / parts.front().free_space_ms
+            << ", \"layer_bytes_per_m2\": "
+            << static_cast<double>(layer.memoryBytes()) / building.area()
+            << ", \"map_bytes_per_m2\": "
+            << static_cast<double>(map.memoryBytes()) / building.area() << "}\n";
+}
+
+}  // namespace
+}  // namespace occusg
+
+int main(int argc, char** argv) {
+  const int frames = argc > 1 ? std::atoi(argv[1]) : 7200;
+  const double area_m2 = argc > 2 ? std::atof(argv[2]) : 10000.0;
+  if (argc > 3 || frames < 10 || !(area_m2 >= 1.0 && area_m2 <= 1e6)) {
+    std::cerr << "usage: driving_benchmark [FRAMES [AREA_M2]]\n";
+    return 2;
+  }
+  occusg::run(frames, area_m2);
+  return 0;
+}

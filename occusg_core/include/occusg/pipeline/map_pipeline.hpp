@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "occusg/mapping/free_space_layer.hpp"
+#include "occusg/mapping/occupancy_map.hpp"
+#include "occusg/perception/depth_frame.hpp"
+#include "occusg/perception/depth_projector.hpp"
+#include "occusg/pipeline/config.hpp"
+#include "occusg/pipeline/stage_times.hpp"
+
+namespace occusg {
+
+/// What the frames so far brought.
+struct MapCounts {
+  std::size_t frames = 0;
+  std::size_t points = 0;
+  PixelDrops pixel_drops;
+  std::size_t points_outside_map = 0;
+  std::size_t frames_outside_map = 0;
+};
+
+/// Depth frames -> occupancy map and free space: the half of the pipeline that needs a camera.
+class MapPipeline {
+ public:
+  /// @throws Error when the configuration breaks a rule.
+  explicit MapPipeline(const PipelineConfig& config);
+
+  /// Goes on from a map that was saved. In the layer, `changed` is what differs from before.
+  /// @throws Error when the map is larger than the layer can be; the state is then as before.
+  const FreeSpace& startFrom(OccupancyMap map);
+
+  /// Takes one frame into the map. In the layer, `changed` is what this frame changed.
+  /// @throws Error when the frame cannot be used; the state is then as before the call.
+  const FreeSpace& process(const DepthFrame& frame);
+
+  [[nodiscard]] const OccupancyMap& occupancyMap() const { return occupancy_; }
+  [[nodiscard]] const FreeSpace& freeSpace() const { return free_space_.freeSpace(); }
+  [[nodiscard]] const MapCounts& counts() const { return counts_; }
+  /// Durations so far, and the memory each stage's result holds now.
+  [[nodiscard]] StageTimes times() const;
+
+ private:
+  DepthProjector projector_;
+  OccupancyMap occupancy_;
+  FreeSpaceLayer free_space_;
+  MapCounts counts_;
+  StageTimes times_;
+};
+
+}  // namespace occusg

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "occusg/geometry/pose.hpp"
+#include "occusg/graph/graph_builder.hpp"
+#include "occusg/mapping/free_space.hpp"
+#include "occusg/pipeline/config.hpp"
+#include "occusg/pipeline/stage_times.hpp"
+#include "occusg/regions/decomposer.hpp"
+#include "occusg/regions/region_tracker.hpp"
+
+namespace occusg {
+
+/// What the layers so far brought.
+struct RoomCounts {
+  std::size_t region_updates = 0;
+  std::size_t rejected_region_updates = 0;  ///< By the acceptance guard.
+};
+
+/// Free space and robot poses -> regions, rooms, scene graph: the half of the pipeline that a robot
+/// with a finished 2D map uses alone. Logical time: it is driven by the stamps it is given.
+class RoomPipeline {
+ public:
+  /// @throws Error when the configuration breaks a rule.
+  explicit RoomPipeline(const PipelineConfig& config);
+
+  /// Brings regions and rooms up to date with `layer`.
+  /// @param changed bounds of the cells that differ from the previous call's layer.
+  /// @throws Error when the pose or the stamp is not finite.
+  const SceneGraph& update(const FreeSpace& layer, const CellBox& changed, const Pose& T_map_robot,
+                           double stamp_s);
+
+  /// A pose between two updates: may become an agent.
+  /// @throws Error when the pose or the stamp is not finite.
+  void observePose(const Pose& T_map_robot, double stamp_s);
+
+  /// Follows the robot and maintains the rooms between two updates, with the regions as they are:
+  /// for a map that does not change any more while time passes. Nothing before the first update.
+  /// @throws Error when the pose or the stamp is not finite.
+  void maintain(const Pose& T_map_robot, double stamp_s);
+
+  /// Maintains the rooms a last time, when no later update can confirm or refute anything.
+  /// @throws Error when the stamp is not finite.
+  void finish(double stamp_s);
+
+  [[nodiscard]] const TrackedRegions& regions() const { return tracker_.regions(); }
+  [[nodiscard]] const SceneGraph& graph() const { return graph_.graph(); }
+  [[nodiscard]] std::optional<NodeId> currentRoom() const { return graph_.currentRoom(); }
+  [[nodiscard]] std::optional<double> lastUpdate() const { return last_update_s_; }
+  [[nodiscard]] const RoomCounts& counts() const { return counts_; }
+  /// Durations so far, and the memory each stage's result holds now.
+  [[nodiscard]] StageTimes times() const;
+
+ private:
+  std::unique_ptr<Decomposer> decomposer_;
+  RegionTracker tracker_;
+  GraphBuilder graph_;
+  std::optional<double> last_update_s_;
+  RoomCounts counts_;
+  StageTimes times_;
+};
+
+}  // namespace occusg

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace occusg {
+
+/// Pixels [left, right] x [top, bottom], both ends included.
+struct PixelBox {
+  int left = 0;
+  int right = -1;
+  int top = 0;
+  int bottom = -1;
+
+  [[nodiscard]] bool empty() const { return right < left || bottom < top; }
+};
+
+/// Smallest and largest depth over any box of pixels, in a few look-ups (a sparse table: the
+/// extremes over the 2^k x 2^k pixels from each pixel on). Depths are held in 16 bits, rounded
+/// outwards: bounds are never too narrow and at most 1/32000 of the frame's largest depth too wide.
+class DepthBounds {
+ public:
+  /// @param depth row-major, width * height, not negative; 0 where there is none.
+  void build(const std::vector<float>& depth, int width, int height);
+
+  [[nodiscard]] float largest() const { return largest_; }
+  /// @param box not empty, inside the image.
+  [[nodiscard]] float nearest(const PixelBox& box) const;
+  [[nodiscard]] float farthest(const PixelBox& box) const;
+
+ private:
+  using Table = std::vector<std::int16_t>;
+  static constexpr std::size_t kLevels = 6;
+
+  void quantize(const std::vector<float>& depth);
+  void buildLevel(std::size_t level, int height);
+
+  int width_ = 0;
+  float largest_ = 0.0F;
+  float unit_ = 1.0F;  ///< Depth of one step.
+  std::array<Table, kLevels> nearest_;
+  std::array<Table, kLevels> farthest_;
+};
+
+}  // namespace occusg

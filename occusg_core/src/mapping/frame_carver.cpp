@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/frame_carver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mapping/morton.hpp"
+#include "mapping/settled_free.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr int kBlockSide = 8;
+constexpr int kFirstBlock = -32768 / kBlockSide;
+constexpr std::uint64_t kAll = ~std::uint64_t{0};
+constexpr std::uint64_t kByte = 0xFF;
+constexpr int kUndivided = 32;  ///< Pixels.
+
+int blockOf(int voxel) { return voxel >> 3; }
+
+std::uint64_t codeOf(const VoxelIndex& block) {
+  return mortonCode(static_cast<unsigned>(block.x - kFirstBlock),
+                    static_cast<unsigned>(block.y - kFirstBlock),
+                    static_cast<unsigned>(block.z - kFirstBlock));
+}
+
+/// The part of a cube of `side` voxels that has the given place in Morton order.
+VoxelIndex partOf(const VoxelIndex& first, unsigned place, int side) {
+  return {first.x + ((place & 1U) != 0 ? side : 0), first.y + ((place & 2U) != 0 ? side : 0),
+          first.z + ((place & 4U) != 0 ? side : 0)};
+}
+
+Eigen::Map<const Float8> at(const std::vector<float>& values, std::size_t first) {
+  return Eigen::Map<const Float8>(values.data() + first);
+}
+
+/// Where rays with these inverse directions are between two planes across one axis.
+struct Crossing {
+  Float8 enter;
+  Float8 leave;
+};
+
+Crossing between(float low, const Eigen::Map<const Float8>& inverse) {
+  const Float8 a = low * inverse;
+  const Float8 b = (low + 1.0F) * inverse;
+  return {a.min(b), a.max(b)};
+}
+
+}  // namespace
+
+std::size_t FrameCarver::blocksBetween(const std::array<VoxelIndex, 2>& bounds) {
+  const auto side = [](int low, int high) {
+    return static_cast<std::size_t>(blockOf(high - 1) - blockOf(low) + 1);
+  };
+  return side(bounds[0].x, bounds[1].x) * side(bounds[0].y, bounds[1].y) *
+         side(bounds[0].z, bounds[1].z);
+}
+
+const std::vector<VoxelBlock>& FrameCarver::carve(const FrameRays& rays, const RangeImage& image,
+                                                  const octomap::OcTree& tree, Carving carving) {
+  rays_ = &rays;
+  tree_ = &tree;
+  carving_ = carving;
+  float farthest_m = 0.0F;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    origin_[axis] = static_cast<float>(rays.origin()[axis] / tree.getResolution());
+    farthest_m = std::max(farthest_m, std::abs(static_cast<float>(rays.origin()[axis])));
+  }
+  // Points are rounded to single precision where they are, which may be far from the map's origin.
+  const float rounding = 4.0F * (farthest_m + 10.0F) / 8388608.0F / static_cast<float>(tree.getResolution());
+  depth_slack_ = 0.002F + rounding;
+  projection_ = LatticeProjection(image, 0.02F + rounding * static_cast<float>(image.camera.fx) / 4.0F);
+  depth_.build(rays.depth(), rays.width(), rays.height());
+  openWindow(rays.bounds());
+  mark(rays);
+  carved_.clear();
+  carveBlocks(0, window_.size.y * window_.size.z);
+
+  order_.clear();
+  for (std::size_t i = 0; i < carved_.size(); ++i) order_.push_back(carved_[i].code << 24 | i);
+  std::sort(order_.begin(), order_.end());
+  sorted_.clear();
+  for (const std::uint64_t entry : order_) sorted_.push_back(carved_[entry & 0xFFFFFFU]);
+  return sorted_;
+}
+
+void FrameCarver::openWindow(const std::array<VoxelIndex, 2>& bounds) {
+  const VoxelIndex last{blockOf(bounds[1].x - 1), blockOf(bounds[1].y - 1),
+                        blockOf(bounds[1].z - 1)};
+  window_.first = {blockOf(bounds[0].x), blockOf(bounds[0].y), blockOf(bounds[0].z)};
+  window_.size = {last.x - window_.first.x + 1, last.y - window_.first.y + 1,
+                  last.z - window_.first.z + 1};
+  slots_.assign(blocksBetween(bounds), 0);
+}
+
+void FrameCarver::mark(const FrameRays& rays) {
+  marked_.clear();
+  for (const MarkedVoxel& mark : rays.marks()) {
+    const VoxelIndex block{blockOf(mark.voxel.x), blockOf(mark.voxel.y), blockOf(mark.voxel.z)};
+    const auto slot = static_cast<std::size_t>(
+        ((block.z - window_.first.z) * window_.size.y + block.y - window_.first.y) *
+            window_.size.x +
+        block.x - window_.first.x);
+    if (slots_[slot] == 0) {
+      marked_.emplace_back();
+      marked_.back().code = codeOf(block);
+      slots_[slot] = static_cast<std::uint32_t>(marked_.size());
+    }
+    VoxelBlock& marked = marked_[slots_[slot] - 1];
+    const unsigned place =
+        placeInBlock(static_cast<unsigned>(mark.voxel.x), static_cast<unsigned>(mark.voxel.y),
+                     static_cast<unsigned>(mark.voxel.z));
+    auto& words = mark.kind == RayEnd::kHit ? marked.occupied : marked.free;
+    words[place >> 6] |= std::uint64_t{1} << (place & 63U);
+  }
+}
+
+void FrameCarver::carveBlocks(int first_row, int end_row) {
+  const std::array<double, 3>& origin = rays_->origin();
+  const double voxels_per_m = 1.0 / tree_->getResolution();
+  const ViewPoint step = static_cast<float>(kBlockSide) * projection_.step(0);
+  for (int row = first_row; row < end_row; ++row) {
+    VoxelIndex block{window_.first.x, window_.first.y + row % window_.size.y,
+                     window_.first.z + row / window_.size.y};
+    const auto away = [&](int index, std::size_t axis) {
+      return static_cast<float>(kBlockSide * index + kBlockSide / 2 - origin[axis] * voxels_per_m);
+    };
+    const ViewPoint start = away(block.x, 0) * projection_.step(0) +
+                            away(block.y, 1) * projection_.step(1) +
+                            away(block.z, 2) * projection_.step(2);
+    for (int i = 0; i < window_.size.x; ++i, ++block.x)
+      carveBlock(block, start + static_cast<float>(i) * step);
+  }
+}
+
+void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center) {
+  const auto slot = static_cast<std::size_t>(
+      ((at.z - window_.first.z) * window_.size.y + at.y - window_.first.y) * window_.size.x + at.x -
+      window_.first.x);
+  const VoxelBlock* marked = slots_[slot] == 0 ? nullptr : &marked_[slots_[slot] - 1];
+  const Verdict verdict = judge(center, 0);
+  if (verdict == Verdict::kNone && marked == nullptr) return;
+  VoxelBlock result;
+  if (marked != nullptr) result = *marked;
+  result.code = codeOf(at);
+  if (verdict == Verdict::kAll) {
+    result.free.fill(kAll);
+  } else if (verdict == Verdict::kSome) {
+    Block block;
+    block.first_voxel = {kBlockSide * at.x, kBlockSide * at.y, kBlockSide * at.z};
+    block.done = settledFree(*tree_, result.code);
+    for (unsigned i = 0; i < 8; ++i) {
+      block.done[i] |= result.occupied[i] | result.free[i];
+      block.free[i] = result.free[i];
+      carveWord(block, i, center + projection_.corners(1)[i]);
+    }
+    result.free = block.free;
+  }
+  std::uint64_t any = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    result.free[i] &= ~result.occupied[i];
+    any |= result.free[i] | result.occupied[i];
+  }
+  if (any != 0) carved_.push_back(result);
+}
+
+void FrameCarver::carveWord(Block& block, unsigned word, const ViewPoint& center) const {
+  if (block.done[word] == kAll) return;
+  const Verdict verdict = judge(center, 1);
+  if (verdict == Verdict::kNone) return;
+  if (verdict == Verdict::kAll) {
+    block.free[word] = kAll;
+    return;
+  }
+  for (unsigned i = 0; i < 8; ++i)
+    block.free[word] |= carveByte(block, word, i, center + projection_.corners(2)[i]) << (8 * i);
+}
+
+std::uint64_t FrameCarver::carveByte(const Block& block, unsigned word, unsigned byte,
+                                     const ViewPoint& center) const {
+  const std::uint64_t done = block.done[word] >> (8 * byte) & kByte;
+  if (done == kByte) return 0;
+  const Verdict verdict = judge(center, 2);
+  if (verdict == Verdict::kNone) return 0;
+  if (verdict == Verdict::kAll) return kByte;
+  const VoxelIndex first = partOf(partOf(block.first_voxel, word, 4), byte, 2);
+  std::uint64_t free = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    if ((done >> i & 1U) != 0) continue;
+    if (isFree(partOf(first, i, 1), center + projection_.corners(3)[i])) free |= std::uint64_t{1} << i;
+  }
+  return free;
+}
+
+FrameCarver::Verdict FrameCarver::judge(const ViewPoint& center, std::size_t size) const {
+  const float half = projection_.corners(size).depth + depth_slack_;
+  const float nearest = center.z - half;
+  const float farthest = center.z + half;
+  if (farthest <= 0.0F || nearest >= depth_.largest()) return Verdict::kNone;
+  PixelBox box;
+  const Coverage coverage = projection_.boxOf(center, size, box);
+  if (coverage == Coverage::kNone || depth_.farthest(box) < nearest) return Verdict::kNone;
+  const bool all = coverage == Coverage::kWhole && farthest <= projection_.denseDepth() &&
+                   depth_.nearest(box) >= farthest;
+  return all ? Verdict::kAll : Verdict::kSome;
+}
+
+bool FrameCarver::isFree(const VoxelIndex& voxel, const ViewPoint& center) const {
+  const float half = projection_.corners(3).depth + depth_slack_;
+  const int pixel = projection_.pixelThrough(center);
+  if (pixel >= 0 && rays_->depth()[static_cast<std::size_t>(pixel)] >= center.z + half) return true;
+  if (carving_ == Carving::kFast) return false;
+  const float nearest = center.z - half;
+  if (center.z + half <= 0.0F || nearest >= depth_.largest()) return false;
+  PixelBox box;
+  if (projection_.boxOf(center, 3, box) == Coverage::kNone) return false;
+  if (depth_.farthest(box) < nearest) return false;
+  return isCrossed(voxel, center, nearest, box);
+}
+
+/// Divides large boxes, which only voxels close to the camera have, to leave most of them out.
+bool FrameCarver::isCrossed(const VoxelIndex& voxel, const ViewPoint& center, float nearest,
+                            const PixelBox& box) const {
+  const int width = box.right - box.left + 1;
+  const int height = box.bottom - box.top + 1;
+  if (width <= kUndivided && height <= kUndivided) return isCrossedBy(box, voxel, nearest);
+  PixelBox first = box;
+  PixelBox second = box;
+  if (width > height) {
+    first.right = box.left + width / 2 - 1;
+    second.left = first.right + 1;
+  } else {
+    first.bottom = box.top + height / 2 - 1;
+    second.top = first.bottom + 1;
+  }
+  const auto may_cross = [&](const PixelBox& part) {
+    return depth_.farthest(part) >= nearest && projection_.mayCross(center, 3, part);
+  };
+  return (may_cross(first) && isCrossed(voxel, center, nearest, first)) ||
+         (may_cross(second) && isCrossed(voxel, center, nearest, second));
+}
+
+bool FrameCarver::isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, float nearest) const {
+  const auto& inverse = rays_->inverse();
+  const float x = static_cast<float>(voxel.x) - origin_[0];
+  const float y = static_cast<float>(voxel.y) - origin_[1];
+  const float z = static_cast<float>(voxel.z) - origin_[2];
+  for (int row = box.top; row <= box.bottom; ++row) {
+    const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays_->width());
+    // The last rays may be those of pixels beyond the box: they are rays all the same.
+    for (int column = box.left; column <= box.right; column += kRaysAtOnce) {
+      const std::size_t first = start + static_cast<std::size_t>(column);
+      if (at(rays_->depth(), first).maxCoeff() < nearest) continue;
+      const Crossing in_x = between(x, at(inverse[0], first));
+      const Crossing in_y = between(y, at(inverse[1], first));
+      const Crossing in_z = between(z, at(inverse[2], first));
+      const Float8 enter = in_x.enter.max(in_y.enter).max(in_z.enter).max(0.0F);
+      const Float8 leave = in_x.leave.min(in_y.leave).min(in_z.leave);
+      if ((leave - enter).min(1.0F - leave).maxCoeff() > 0.0F) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace occusg

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <octomap/OcTree.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mapping/depth_bounds.hpp"
+#include "mapping/frame_rays.hpp"
+#include "mapping/frame_voxels.hpp"
+#include "mapping/lattice_projection.hpp"
+
+namespace occusg {
+
+/// How thoroughly the voxels at the rim of what a frame saw free are looked at.
+enum class Carving {
+  kExact,  ///< Free is what any ray crosses.
+  kFast,   ///< Free is what the ray nearest to the voxel's centre crosses.
+};
+
+/// Finds the voxels a frame saw free or occupied without walking along its rays: cubes of voxels
+/// are projected onto the pixel lattice. Where all rays that can cross a cube end beyond it, it is
+/// free; where all end before it, it is not; else its eight parts are looked at, and in the end the
+/// rays through a voxel are tested one by one.
+class FrameCarver {
+ public:
+  /// @param tree the map: voxels of it that one more miss leaves as they are may be left out.
+  /// @return the touched blocks in Morton order, as `VoxelTree::integrate` wants them; valid until
+  /// the next call.
+  const std::vector<VoxelBlock>& carve(const FrameRays& rays, const RangeImage& image,
+                                       const octomap::OcTree& tree, Carving carving);
+  /// Blocks between the bounds of the rays. Time and memory of `carve` grow with it.
+  [[nodiscard]] static std::size_t blocksBetween(const std::array<VoxelIndex, 2>& bounds);
+
+ private:
+  struct Window {
+    VoxelIndex first;  ///< Block, world-aligned.
+    VoxelIndex size;   ///< Blocks.
+  };
+  /// A block under the knife.
+  struct Block {
+    VoxelIndex first_voxel;
+    std::array<std::uint64_t, 8> done{};  ///< Voxels that need no look.
+    std::array<std::uint64_t, 8> free{};
+  };
+  enum class Verdict { kNone, kSome, kAll };
+
+  void openWindow(const std::array<VoxelIndex, 2>& bounds);
+  void mark(const FrameRays& rays);
+  void carveBlocks(int first_row, int end_row);
+  void carveBlock(const VoxelIndex& at, const ViewPoint& center);
+  void carveWord(Block& block, unsigned word, const ViewPoint& center) const;
+  [[nodiscard]] std::uint64_t carveByte(const Block& block, unsigned word, unsigned byte,
+                                        const ViewPoint& center) const;
+  [[nodiscard]] bool isFree(const VoxelIndex& voxel, const ViewPoint& center) const;
+  [[nodiscard]] bool isCrossed(const VoxelIndex& voxel, const ViewPoint& center, float nearest,
+                               const PixelBox& box) const;
+  [[nodiscard]] bool isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, float nearest) const;
+  [[nodiscard]] Verdict judge(const ViewPoint& center, std::size_t size) const;
+
+  Carving carving_ = Carving::kExact;
+  const FrameRays* rays_ = nullptr;
+  const octomap::OcTree* tree_ = nullptr;
+  LatticeProjection projection_;
+  DepthBounds depth_;
+  float depth_slack_ = 0.0F;  ///< Rounding of depths [voxels].
+  std::array<float, 3> origin_{};
+  Window window_;
+  std::vector<std::uint32_t> slots_;  ///< Of the window's blocks: number of the mark + 1, or 0.
+  std::vector<VoxelBlock> marked_;    ///< What rays end in.
+  std::vector<VoxelBlock> carved_;
+  std::vector<std::uint64_t> order_;
+  std::vector<VoxelBlock> sorted_;
+};
+
+}  // namespace occusg

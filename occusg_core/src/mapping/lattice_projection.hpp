@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "mapping/depth_bounds.hpp"
+#include "occusg/perception/range_image.hpp"
+
+namespace occusg {
+
+using Float8 = Eigen::Array<float, 8, 1>;
+
+/// A place seen from the camera, in voxels; x and y are multiplied by the focal lengths, so that
+/// x / z and y / z are pixels from the principal point.
+struct ViewPoint {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+};
+
+inline ViewPoint operator+(const ViewPoint& a, const ViewPoint& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+inline ViewPoint operator*(float scale, const ViewPoint& point) {
+  return {scale * point.x, scale * point.y, scale * point.z};
+}
+
+/// The corners of a cube about its centre, in Morton order (bit 0: +x, 1: +y, 2: +z of the map).
+struct CubeCorners {
+  Float8 x;
+  Float8 y;
+  Float8 z;
+  float depth = 0.0F;  ///< Half extent along the optical axis.
+
+  [[nodiscard]] ViewPoint operator[](unsigned corner) const {
+    return {x[corner], y[corner], z[corner]};
+  }
+};
+
+/// Whether every ray that could cross a cube is in the image.
+enum class Coverage { kNone, kPart, kWhole };
+
+/// Where cubes of voxels lie on the pixel lattice of one frame.
+class LatticeProjection {
+ public:
+  /// Cubes have edges of 8, 4, 2 and 1 voxels.
+  static constexpr std::size_t kSizes = 4;
+
+  /// @param slack_pixels by which rays may miss the pixel's exact direction.
+  LatticeProjection(const RangeImage& image, float slack_pixels);
+  LatticeProjection() = default;
+
+  [[nodiscard]] const CubeCorners& corners(std::size_t size) const { return corners_[size]; }
+  /// A step of one voxel along an axis of the map.
+  [[nodiscard]] const ViewPoint& step(std::size_t axis) const { return steps_[axis]; }
+
+  /// The pixels whose rays can cross a cube; `box` is set unless there are none.
+  [[nodiscard]] Coverage boxOf(const ViewPoint& center, std::size_t size, PixelBox& box) const {
+    const CubeCorners& cube = corners_[size];
+    if (center.z - cube.depth < kNearest) {
+      // The cube reaches behind the camera, where projection means nothing.
+      box = {0, width_ - 1, 0, height_ - 1};
+      return mayCross(center, size, box) ? Coverage::kPart : Coverage::kNone;
+    }
+    const Float8 inverse = (cube.z + center.z).inverse();
+    const Float8 u = (cube.x + center.x) * inverse;
+    const Float8 v = (cube.y + center.y) * inverse;
+    const float left = u.minCoeff() + cx_ - slack_pixels_;
+    const float right = u.maxCoeff() + cx_ + slack_pixels_;
+    const float top = v.minCoeff() + cy_ - slack_pixels_;
+    const float bottom = v.maxCoeff() + cy_ + slack_pixels_;
+    if (!(right >= 0.0F && left <= last_column_ && bottom >= 0.0F && top <= last_row_))
+      return Coverage::kNone;
+    box.left = ceilOf(std::max(left, 0.0F));
+    box.right = static_cast<int>(std::min(right, last_column_));
+    box.top = ceilOf(std::max(top, 0.0F));
+    box.bottom = static_cast<int>(std::min(bottom, last_row_));
+    if (box.empty()) return Coverage::kNone;
+    const bool whole =
+        left >= 0.0F && right <= last_column_ && top >= 0.0F && bottom <= last_row_;
+    return whole ? Coverage::kWhole : Coverage::kPart;
+  }
+
+  /// False when a cube lies wholly to one side of all rays of the box.
+  [[nodiscard]] bool mayCross(const ViewPoint& center, std::size_t size,
+                              const PixelBox& box) const {
+    const CubeCorners& cube = corners_[size];
+    const Float8 x = cube.x + center.x;
+    const Float8 y = cube.y + center.y;
+    const Float8 z = cube.z + center.z;
+    const float left = static_cast<float>(box.left) - slack_pixels_ - cx_;
+    const float right = static_cast<float>(box.right) + slack_pixels_ - cx_;
+    const float top = static_cast<float>(box.top) - slack_pixels_ - cy_;
+    const float bottom = static_cast<float>(box.bottom) + slack_pixels_ - cy_;
+    return z.maxCoeff() > 0.0F && (x - left * z).maxCoeff() >= 0.0F &&
+           (x - right * z).minCoeff() <= 0.0F && (y - top * z).maxCoeff() >= 0.0F &&
+           (y - bottom * z).minCoeff() <= 0.0F;
+  }
+
+  /// The pixel nearest to where `center` is seen; negative when it is outside of the image or no
+  /// ray need pass the voxel about `center` close enough to cross it.
+  [[nodiscard]] int pixelThrough(const ViewPoint& center) const {
+    if (center.z < kNearest) return -1;
+    const float inverse = 1.0F / center.z;
+    const float u = center.x * inverse + cx_;
+    const float v = center.y * inverse + cy_;
+    if (!(u >= 0.0F && u <= last_column_ && v >= 0.0F && v <= last_row_)) return -1;
+    const int column = static_cast<int>(u + 0.5F);
+    const int row = static_cast<int>(v + 0.5F);
+    if (center.z > dense_depth_) {
+      const float x = (static_cast<float>(column) - u) * pitch_x_ * center.z;
+      const float y = (static_cast<float>(row) - v) * pitch_y_ * center.z;
+      if (x * x + y * y > kSurelyCrossed * kSurelyCrossed) return -1;
+    }
+    return row * width_ + column;
+  }
+
+  /// Up to this depth every voxel is crossed by a ray, if none is missing.
+  [[nodiscard]] float denseDepth() const { return dense_depth_; }
+
+ private:
+  static constexpr float kNearest = 0.05F;       ///< Voxels in front of the camera.
+  static constexpr float kSurelyCrossed = 0.48F;  ///< Below the radius of a voxel's inner sphere.
+
+  static int ceilOf(float value) {
+    const int truncated = static_cast<int>(value);
+    return truncated + (static_cast<float>(truncated) < value ? 1 : 0);
+  }
+
+  std::array<CubeCorners, kSizes> corners_;
+  std::array<ViewPoint, 3> steps_;
+  int width_ = 0;
+  int height_ = 0;
+  float last_column_ = 0.0F;
+  float last_row_ = 0.0F;
+  float cx_ = 0.0F;
+  float cy_ = 0.0F;
+  float pitch_x_ = 0.0F;  ///< Distance of two pixels at depth 1.
+  float pitch_y_ = 0.0F;
+  float dense_depth_ = 0.0F;
+  float slack_pixels_ = 0.0F;
+};
+
+}  // namespace occusg

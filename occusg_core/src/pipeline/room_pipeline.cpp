@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/pipeline/room_pipeline.hpp"
+
+#include <cstdint>
+
+namespace occusg {
+namespace {
+
+const PipelineConfig& checked(const PipelineConfig& config) {
+  check(config);
+  return config;
+}
+
+}  // namespace
+
+RoomPipeline::RoomPipeline(const PipelineConfig& config)
+    : decomposer_(makeDecomposer(checked(config))),
+      tracker_(config.tracker),
+      graph_(config.graph) {}
+
+const SceneGraph& RoomPipeline::update(const FreeSpace& layer, const CellBox& changed,
+                                       const Pose& T_map_robot, double stamp_s) {
+  const Decomposition& decomposition =
+      timed(times_, Stage::kDecomposition,
+            [&]() -> const Decomposition& { return decomposer_->update(layer, changed); });
+  const TrackedRegions& tracked = timed(times_, Stage::kTracking, [&]() -> const TrackedRegions& {
+    return tracker_.update(decomposition);
+  });
+  const SceneGraph& graph = timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
+    return graph_.update(tracked, T_map_robot, stamp_s);
+  });
+  last_update_s_ = stamp_s;
+  ++counts_.region_updates;
+  counts_.rejected_region_updates += tracked.stale ? 1 : 0;
+  return graph;
+}
+
+void RoomPipeline::observePose(const Pose& T_map_robot, double stamp_s) {
+  graph_.observePose(T_map_robot, stamp_s);
+}
+
+void RoomPipeline::maintain(const Pose& T_map_robot, double stamp_s) {
+  if (!last_update_s_) return;
+  timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
+    return graph_.update(tracker_.regions(), T_map_robot, stamp_s);
+  });
+}
+
+void RoomPipeline::finish(double stamp_s) {
+  timed(times_, Stage::kGraph, [&]() -> const SceneGraph& { return graph_.finish(stamp_s); });
+}
+
+StageTimes RoomPipeline::times() const {
+  StageTimes times = times_;
+  times.setMemory(Stage::kTracking,
+                  regions().decomposition.labels.values().size() * sizeof(std::int32_t));
+  return times;
+}
+
+}  // namespace occusg
