@@ -91,6 +91,7 @@ occusg_add_floor(io
     decomposition_drawing.cpp
     file_bytes.cpp
     graph_json.cpp
+    graphml_file.cpp
     grey_picture.cpp
     json_text.cpp
     label_picture.cpp
@@ -99,6 +100,7 @@ occusg_add_floor(io
     map_files.cpp
     map_reader.cpp
     map_yaml.cpp
+    occusg_1_0_file.cpp
     octomap_file.cpp
     octomap_scan.cpp
     output_folder.cpp
@@ -106,10 +108,12 @@ occusg_add_floor(io
     overview_picture.cpp
     overview_view.cpp
     png_check.cpp
+    polygon_json.cpp
     room_color.cpp
     rooms_file.cpp
     rooms_geojson.cpp
     scene_graph_file.cpp
+    scene_graph_reader.cpp
     sequence_reader.cpp
     spark_dsg_file.cpp
     text_lines.cpp

@@ -61,6 +61,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments);
 ExitCode segmentCommand(const std::vector<std::string>& arguments);
 ExitCode evalCommand(const std::vector<std::string>& arguments);
 ExitCode projectCommand(const std::vector<std::string>& arguments);
+ExitCode showCommand(const std::vector<std::string>& arguments);
 ExitCode configCommand(const std::vector<std::string>& arguments);
 
 }  // namespace occusg::apps

@@ -7,6 +7,7 @@
 #include "command_line.hpp"
 #include "interrupt.hpp"
 #include "occusg/error.hpp"
+#include "occusg/io/occusg_1_0_file.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/sequence_reader.hpp"
@@ -24,6 +25,8 @@ constexpr std::size_t kShownBadFrames = 5;
 
 enum class BadFrames { kSkip, kFail };
 
+enum class Schemas { kOurs, kOursAndPublished };
+
 struct RunOutcome {
   std::size_t frames_read = 0;
   std::vector<std::string> bad_frames;  ///< One sentence each.
@@ -38,7 +41,7 @@ CommandHelp help() {
       "tz qx qy qz qw, camera optical frame in the world), 16-bit depth PNGs, and camera.json "
       "with\n"
       "width, height, fx, fy, cx, cy, depth_scale.\n\n"
-      "OUT receives rooms.json, scene_graph.json, scene_graph.dsg.json, rooms.geojson,\n"
+      "OUT receives rooms.json, scene_graph.json, .dsg.json and .graphml, rooms.geojson,\n"
       "free_space.pgm and .yaml, map.ot, overview.png and timing.json. A frame that cannot be "
       "used\n"
       "is skipped and reported; more than half of them fail the run. Ctrl-C ends the run early\n"
@@ -56,8 +59,17 @@ po::options_description options() {
   addDecomposerOption(options);
   options.add_options()("map", po::value<std::string>(),
                         "OctoMap (.bt, .ot) to start from; same resolution and frame")(
+      "schema", po::value<std::string>(),
+      "occusg-1.0: also write scene_graph.occusg-1.0.json, the published system's schema")(
       "strict", "fail on the first frame that cannot be used");
   return options;
+}
+
+Schemas schemasIn(const po::variables_map& values) {
+  const auto name = given<std::string>(values, "schema");
+  if (!name) return Schemas::kOurs;
+  if (*name == "occusg-1.0") return Schemas::kOursAndPublished;
+  throw UsageError("--schema is '" + *name + "'; allowed is occusg-1.0");
 }
 
 RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFrames bad_frames) {
@@ -123,6 +135,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const PipelineConfig config = overridden(loadConfig(values["config"].as<std::string>()), values,
                                            "decomposer", "regions.decomposer");
   const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
+  const Schemas schemas = schemasIn(values);
   Pipeline pipeline(config);
   if (const auto map = given<std::string>(values, "map"))
     pipeline.startFrom(readOctomap(*map, config.occupancy));
@@ -136,6 +149,9 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   setPeakMemory(times);
   for (const ResultFile& file : resultFiles(pipeline, sequence.scene(), times))
     folder.write(file.name, file.bytes);
+  if (schemas == Schemas::kOursAndPublished) {
+    folder.write("scene_graph.occusg-1.0.json", toOccusg10(pipeline.graph(), sequence.scene()));
+  }
 
   printRooms(roomsOf(pipeline, sequence.scene()));
   printTimes(times);

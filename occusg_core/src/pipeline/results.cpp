@@ -5,6 +5,7 @@
 #include <locale>
 #include <sstream>
 
+#include "occusg/io/graphml_file.hpp"
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/overview_picture.hpp"
@@ -58,6 +59,7 @@ std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string&
   const MapFiles map = toMapFiles(pipeline.freeSpace(), "free_space.pgm");
   return {{"rooms.json", toJson(rooms)},
           {"scene_graph.json", toJson(pipeline.graph(), scene)},
+          {"scene_graph.graphml", toGraphMl(pipeline.graph(), scene)},
           {"scene_graph.dsg.json", toSparkDsg(pipeline.graph(), scene)},
           {"rooms.geojson", toGeoJson(rooms)},
           {"free_space.pgm", map.pgm},
