@@ -115,6 +115,8 @@ occusg_add_floor(io
     scene_graph_file.cpp
     scene_graph_reader.cpp
     sequence_reader.cpp
+    session_folder.cpp
+    session_json.cpp
     spark_dsg_file.cpp
     text_lines.cpp
   USES geometry perception mapping regions graph

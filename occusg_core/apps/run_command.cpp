@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_line.hpp"
@@ -29,6 +31,7 @@ enum class Schemas { kOurs, kOursAndPublished };
 
 struct RunOutcome {
   std::size_t frames_read = 0;
+  std::size_t frames_known = 0;         ///< Not younger than the session that goes on.
   std::vector<std::string> bad_frames;  ///< One sentence each.
   bool interrupted = false;
 };
@@ -48,6 +51,8 @@ CommandHelp help() {
       "and still writes everything.\n\n"
       "  occusg run examples/apartment -o out/apartment\n"
       "  occusg run recording -o out/recording --config paper\n"
+      "  occusg run monday -o out/monday --save-session building\n"
+      "  occusg run tuesday -o out/tuesday --resume building --save-session building\n"
       "  occusg run second_visit -o out/second --map out/first/map.ot\n",
       {"SEQUENCE"}};
 }
@@ -59,6 +64,10 @@ po::options_description options() {
   addDecomposerOption(options);
   options.add_options()("map", po::value<std::string>(),
                         "OctoMap (.bt, .ot) to start from; same resolution and frame")(
+      "resume", po::value<std::string>(),
+      "folder of a saved session to go on from, with its room ids")(
+      "save-session", po::value<std::string>(),
+      "folder to save what the system knows to; a session there is replaced")(
       "schema", po::value<std::string>(),
       "occusg-1.0: also write scene_graph.occusg-1.0.json, the published system's schema")(
       "strict", "fail on the first frame that cannot be used");
@@ -72,7 +81,9 @@ Schemas schemasIn(const po::variables_map& values) {
   throw UsageError("--schema is '" + *name + "'; allowed is occusg-1.0");
 }
 
-RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFrames bad_frames) {
+/// @param known_until_s stamp of the last frame of the session that goes on, if one does.
+RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFrames bad_frames,
+                      const std::optional<double>& known_until_s) {
   RunOutcome outcome;
   ProgressBar progress(sequence.scene(), sequence.size());
   for (std::size_t i = 0; i < sequence.size(); ++i) {
@@ -80,15 +91,39 @@ RunOutcome processAll(const SequenceReader& sequence, Pipeline& pipeline, BadFra
     if (outcome.interrupted) break;
     ++outcome.frames_read;
     try {
-      pipeline.process(sequence.read(i));
+      const Frame frame = sequence.read(i);
+      if (known_until_s && frame.stamp_s <= *known_until_s) {
+        ++outcome.frames_known;
+      } else {
+        pipeline.process(frame);
+      }
     } catch (const Error& error) {
       if (bad_frames == BadFrames::kFail) throw;
       outcome.bad_frames.emplace_back(error.what());
     }
     progress.update(i + 1);
   }
-  pipeline.finish();
   return outcome;
+}
+
+/// Makes the pipeline go on from what the options name; the last stamp it knows.
+std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) {
+  const auto map = given<std::string>(values, "map");
+  const auto session_folder = given<std::string>(values, "resume");
+  const OccupancyMapConfig& config = pipeline.config().occupancy;
+  if (map && session_folder) throw UsageError("--map and --resume: a session has its own map");
+  if (map) pipeline.startFrom(readOctomap(*map, config));
+  if (!session_folder) return std::nullopt;
+  Session session = loadSession(*session_folder, config);
+  const double stamp_s = session.state.stamp_s;
+  pipeline.resume(std::move(session));
+  return stamp_s;
+}
+
+void failWhenNoFrameIsNew(const RunOutcome& outcome, const std::string& scene) {
+  if (outcome.frames_known == 0 || outcome.frames_known < outcome.frames_read) return;
+  throw refuse(scene, "has no frame that is younger than the session",
+               "a recording that goes on from it is needed");
 }
 
 void failWhenMostFramesAreBad(const RunOutcome& outcome, const std::string& scene) {
@@ -137,13 +172,20 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
   const Schemas schemas = schemasIn(values);
   Pipeline pipeline(config);
-  if (const auto map = given<std::string>(values, "map"))
-    pipeline.startFrom(readOctomap(*map, config.occupancy));
+  const std::optional<double> known_until_s = goOn(pipeline, values);
+  const auto session_folder = given<std::string>(values, "save-session");
+  if (session_folder) checkSessionPlace(*session_folder);
   const OutputFolder folder(values["output"].as<std::string>());
   catchInterrupts();
-  const RunOutcome outcome = processAll(
-      sequence, pipeline, values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip);
+  const RunOutcome outcome =
+      processAll(sequence, pipeline,
+                 values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip, known_until_s);
   failWhenMostFramesAreBad(outcome, sequence.scene());
+  failWhenNoFrameIsNew(outcome, sequence.scene());
+  if (session_folder)
+    saveSession(*session_folder, pipeline.occupancyMap().tree(),
+                pipeline.sessionState(sequence.scene()));
+  pipeline.finish();
 
   StageTimes times = pipeline.times();
   setPeakMemory(times);
@@ -156,6 +198,8 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   printRooms(roomsOf(pipeline, sequence.scene()));
   printTimes(times);
   printCounts(pipeline.counts());
+  if (outcome.frames_known > 0)
+    std::cout << "  " << outcome.frames_known << " frames the session knows already, left out\n";
   reportBadInput(sequence, outcome);
   std::cout << "\nResults are in " << folder.path() << '\n';
   if (!outcome.interrupted) return kFine;

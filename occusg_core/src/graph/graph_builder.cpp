@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "occusg/error.hpp"
 
@@ -43,6 +44,19 @@ const SceneGraph& GraphBuilder::finish(double stamp_s) {
     throw refuse("graph", "the last stamp is not finite", "seconds are expected");
   rooms_.finish(graph_, std::max(stamp_s, last_update_s_.value_or(stamp_s)));
   return graph_;
+}
+
+GraphBuilderState GraphBuilder::state() const {
+  return {graph_, rooms_.state(), last_update_s_, last_maintenance_s_};
+}
+
+void GraphBuilder::restore(GraphBuilderState state, double stamp_s) {
+  reset();
+  graph_ = std::move(state.graph);
+  agents_.restore(graph_, stamp_s);
+  rooms_.restore(graph_, state.rooms);
+  last_update_s_ = state.last_update_s;
+  last_maintenance_s_ = state.last_maintenance_s;
 }
 
 void GraphBuilder::reset() { *this = GraphBuilder(config_); }

@@ -22,6 +22,23 @@ void Pipeline::startFrom(OccupancyMap map) {
   changed_since_rooms_ = changed_since_rooms_.including(map_.startFrom(std::move(map)).changed);
 }
 
+void Pipeline::resume(Session session) {
+  startFrom(std::move(session.map));
+  rooms_.resumeFrom(session.state);
+  last_stamp_s_ = session.state.stamp_s;
+  last_pose_ = session.state.T_map_camera;
+}
+
+SessionState Pipeline::sessionState(const std::string& scene) const {
+  if (!last_stamp_s_) throw refuse("session", "has no frame", "one frame at least is needed");
+  SessionState state;
+  state.scene = scene;
+  state.stamp_s = *last_stamp_s_;
+  state.T_map_camera = last_pose_;
+  rooms_.saveTo(state);
+  return state;
+}
+
 void Pipeline::process(const DepthFrame& frame) {
   if (!std::isfinite(frame.stamp_s))
     throw refuse("frame", "its stamp is not a number", "seconds are needed");

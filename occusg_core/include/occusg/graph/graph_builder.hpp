@@ -18,6 +18,14 @@ struct GraphBuilderConfig {
   RoomLayerConfig rooms;
 };
 
+/// Everything a builder knows that the next update does not tell it again.
+struct GraphBuilderState {
+  SceneGraph graph;
+  RoomLayerState rooms;
+  std::optional<double> last_update_s;
+  double last_maintenance_s = 0.0;
+};
+
 /// Tracked regions and poses -> scene graph (paper, Sec. 3.3 and 3.4). Time is the stamps it is
 /// given: equal calls give equal graphs.
 class GraphBuilder {
@@ -49,6 +57,10 @@ class GraphBuilder {
   [[nodiscard]] std::size_t posesBackInTime() const { return agents_.posesBackInTime(); }
   [[nodiscard]] std::size_t updatesBackInTime() const { return updates_back_in_time_; }
 
+  [[nodiscard]] GraphBuilderState state() const;
+  /// Goes on where another builder was.
+  /// @param stamp_s of the last pose it saw.
+  void restore(GraphBuilderState state, double stamp_s);
   /// Forgets everything, ids included.
   void reset();
 

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
+#include "occusg/io/session_folder.hpp"
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/map_pipeline.hpp"
@@ -26,6 +28,15 @@ class Pipeline {
   /// @throws Error when there was a frame, or the map is larger than the free-space layer can be;
   /// the state is then as before the call.
   void startFrom(OccupancyMap map);
+
+  /// Goes on where a saved session ended, with the same ids; before the first frame. Frames must be
+  /// younger than the session's last.
+  /// @throws Error as `startFrom`.
+  void resume(Session session);
+  /// What to save beside `occupancyMap()` so that another pipeline can go on from here; to be taken
+  /// before `finish`, which decides what only an end decides.
+  /// @throws Error when there was no frame.
+  [[nodiscard]] SessionState sessionState(const std::string& scene) const;
 
   /// Takes one frame through the stages: cloud, occupancy and free space always; regions and graph
   /// when `region_period_s` has passed.

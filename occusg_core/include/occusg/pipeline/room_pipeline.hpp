@@ -7,6 +7,7 @@
 
 #include "occusg/geometry/pose.hpp"
 #include "occusg/graph/graph_builder.hpp"
+#include "occusg/io/session_state.hpp"
 #include "occusg/mapping/free_space.hpp"
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/stage_times.hpp"
@@ -46,6 +47,11 @@ class RoomPipeline {
   /// Maintains the rooms a last time, when no later update can confirm or refute anything.
   /// @throws Error when the stamp is not finite.
   void finish(double stamp_s);
+
+  /// Puts what it knows into `state`.
+  void saveTo(SessionState& state) const;
+  /// Goes on where another one was; regions follow from the next layer.
+  void resumeFrom(const SessionState& state);
 
   [[nodiscard]] const TrackedRegions& regions() const { return tracker_.regions(); }
   [[nodiscard]] const SceneGraph& graph() const { return graph_.graph(); }
