@@ -68,9 +68,10 @@ Polygon RingReader::polygonOf(const json& value, const std::string& where) {
   const json* holes = optionalMember(value, "holes", where);
   if (holes == nullptr) return polygon;
   const std::size_t count = arrayOf(*holes, where + " holes").size();
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     polygon.holes.push_back(
         oriented(read((*holes)[i], where + " hole " + std::to_string(i)), -1.0));
+  }
   return polygon;
 }
 

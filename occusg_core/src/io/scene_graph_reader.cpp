@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -142,9 +142,10 @@ RoomAttributes roomOf(const Members& members, RingReader& rings) {
     room.state = members.named("state", {RoomState::kPartial, RoomState::kConfirmed});
   room.frontier_share = members.numberOr("frontier_share", room.frontier_share);
   room.label_score = members.numberOr("label_score", room.label_score);
-  if (members.find("label_source") != nullptr)
+  if (members.find("label_source") != nullptr) {
     room.label_source =
         members.named("label_source", {LabelSource::kAutomatic, LabelSource::kPerson});
+  }
   if (members.find("unsupported_since_s") != nullptr)
     room.unsupported_since_s = members.number("unsupported_since_s");
   return room;
@@ -215,21 +216,25 @@ void checkSize(const json& list, std::size_t largest, const std::string& where) 
 void readNodes(const json& list, const std::string& file, SceneGraph& graph) {
   checkSize(list, kMaxGraphNodes, file + ": nodes");
   RingReader rings(file);
-  std::vector<Node> nodes;
-  nodes.reserve(list.size());
-  for (std::size_t i = 0; i < list.size(); ++i) nodes.push_back(nodeOf(list[i], file, i, rings));
-  std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.id < b.id; });
+  std::map<NodeId, Node> nodes;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    Node node = nodeOf(list[i], file, i, rings);
+    const NodeId id = node.id;
+    if (!nodes.emplace(id, std::move(node)).second) {
+      throw refuse(file + ": node " + std::to_string(id), "appears twice", "ids must differ");
+    }
+  }
   std::set<int> regions;
-  for (Node& node : nodes) {
-    const std::string where = file + ": node " + std::to_string(node.id);
+  for (auto& [id, node] : nodes) {
+    const std::string where = file + ": node " + std::to_string(id);
     if (const auto* room = std::get_if<RoomAttributes>(&node.attributes);
         room != nullptr && !regions.insert(room->region_id).second) {
       throw refuse(where,
                    "stands on region " + std::to_string(room->region_id) + " as another does",
                    "each room needs a region of its own");
     }
-    if (graph.find(node.id) != nullptr) throw refuse(where, "appears twice", "ids must differ");
-    toldAt(where, [&] { graph.restore(std::move(node)); });
+    Node& restored = node;
+    toldAt(where, [&] { graph.restore(std::move(restored)); });
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/session_json.hpp"
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -81,8 +82,10 @@ std::optional<double> optionalStamp(const json& document, const char* key,
 Pose poseIn(const json& value, const std::string& where) {
   if (arrayOf(value, where).size() != 7)
     throw refuse(where, "has " + std::to_string(value.size()) + " values", "7 are needed");
-  double numbers[7];
-  for (std::size_t i = 0; i < 7; ++i) numbers[i] = numberOf(value[i], where);
+  std::array<double, 7> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = numberOf(value[i], where);
+  }
   const Eigen::Quaterniond q(numbers[6], numbers[3], numbers[4], numbers[5]);
   if (std::abs(q.norm() - 1.0) > kUnitQuaternionTolerance)
     throw refuse(where, "has a rotation of norm " + toText(q.norm()),
