@@ -105,6 +105,7 @@ occusg_add_floor(io
     decomposition_drawing.cpp
     file_bytes.cpp
     graph_json.cpp
+    graphml_file.cpp
     grey_picture.cpp
     json_text.cpp
     label_picture.cpp
@@ -114,17 +115,24 @@ occusg_add_floor(io
     map_reader.cpp
     map_yaml.cpp
     object_labels.cpp
+    occusg_1_0_file.cpp
+    octomap_file.cpp
+    octomap_scan.cpp
     output_folder.cpp
     overview_graph.cpp
     overview_labels.cpp
     overview_picture.cpp
     overview_view.cpp
     png_check.cpp
+    polygon_json.cpp
     room_color.cpp
     rooms_file.cpp
     rooms_geojson.cpp
     scene_graph_file.cpp
+    scene_graph_reader.cpp
     sequence_reader.cpp
+    session_folder.cpp
+    session_json.cpp
     spark_dsg_file.cpp
     text_lines.cpp
   USES geometry perception mapping regions graph

@@ -21,6 +21,8 @@ libpolyclipping-dev | areas polygons share
 libyaml-cpp-dev     | configuration files
 nlohmann-json3-dev  | rooms.json, scene_graph.json
 python3             | tables of results
+python3-jsonschema  | checks scene_graph.json against its schema
+python3-networkx    | reads scene_graph.graphml in a test
 "
 # ROS 1 from Debian; on Ubuntu 20.04 it comes with Noetic in /opt/ros.
 if [ ! -d /opt/ros/noetic ]; then
@@ -32,6 +34,7 @@ if [ "${1:-}" = "--for-development" ]; then
 clang-tidy          | checks the code
 gcovr               | measures what the tests cover
 libbenchmark-dev    | the benchmarks
+python3-venv        | a Python environment for spark-dsg, which opens scene_graph.dsg.json
 "
 elif [ $# -gt 0 ]; then
   echo "usage: scripts/install_dependencies.sh [--for-development]" >&2

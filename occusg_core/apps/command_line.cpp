@@ -3,6 +3,8 @@
 
 #include <iostream>
 
+#include "occusg/pipeline/config_file.hpp"
+
 namespace occusg::apps {
 namespace po = boost::program_options;
 
@@ -41,6 +43,27 @@ po::variables_map parse(const std::vector<std::string>& arguments, const Command
       throw UsageError(name + " is missing: the form is '" + help.synopsis + "'");
   }
   return values;
+}
+
+void addOutputOption(po::options_description& options) {
+  options.add_options()("output,o", po::value<std::string>()->required(),
+                        "folder for the results; created when missing");
+}
+
+void addConfigOption(po::options_description& options) {
+  options.add_options()("config", po::value<std::string>()->default_value("default"),
+                        "'default', 'paper' or a YAML file (see 'occusg config --print')");
+}
+
+void addDecomposerOption(po::options_description& options) {
+  options.add_options()("decomposer", po::value<std::string>(), "overrides regions.decomposer");
+}
+
+PipelineConfig overridden(const PipelineConfig& config, const po::variables_map& values,
+                          const std::string& option, const std::string& key) {
+  const auto text = given<std::string>(values, option);
+  if (!text) return config;
+  return configFromYaml(key + ": " + *text + "\n", "--" + option, config);
 }
 
 }  // namespace occusg::apps

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "occusg/pipeline/config.hpp"
 
 namespace occusg::apps {
 
@@ -33,10 +36,32 @@ struct CommandHelp {
   return values.empty();
 }
 
+/// Adds --output, required.
+void addOutputOption(boost::program_options::options_description& options);
+/// Adds --config; its default is "default".
+void addConfigOption(boost::program_options::options_description& options);
+/// Adds --decomposer.
+void addDecomposerOption(boost::program_options::options_description& options);
+
+/// The option's value, empty when it was not given.
+template <typename T>
+[[nodiscard]] std::optional<T> given(const boost::program_options::variables_map& values,
+                                     const std::string& name) {
+  if (values.count(name) == 0) return std::nullopt;
+  return values[name].as<T>();
+}
+
+/// The configuration with the parameter `key` set to what `option` was given, if it was.
+[[nodiscard]] PipelineConfig overridden(const PipelineConfig& config,
+                                        const boost::program_options::variables_map& values,
+                                        const std::string& option, const std::string& key);
+
 /// The subcommands; arguments without the program's and the command's name.
 ExitCode runCommand(const std::vector<std::string>& arguments);
 ExitCode segmentCommand(const std::vector<std::string>& arguments);
 ExitCode evalCommand(const std::vector<std::string>& arguments);
+ExitCode projectCommand(const std::vector<std::string>& arguments);
+ExitCode showCommand(const std::vector<std::string>& arguments);
 ExitCode configCommand(const std::vector<std::string>& arguments);
 
 }  // namespace occusg::apps

@@ -16,10 +16,8 @@ namespace {
 using Command = std::function<ExitCode(const std::vector<std::string>&)>;
 
 std::map<std::string, Command> commands() {
-  return {{"run", runCommand},
-          {"segment", segmentCommand},
-          {"eval", evalCommand},
-          {"config", configCommand}};
+  return {{"run", runCommand},   {"segment", segmentCommand}, {"project", projectCommand},
+          {"show", showCommand}, {"eval", evalCommand},       {"config", configCommand}};
 }
 
 constexpr const char* kHelp =
@@ -30,6 +28,8 @@ Usage: occusg COMMAND [arguments]
 Commands:
   run SEQUENCE -o OUT       take a recorded RGB-D sequence through the whole pipeline
   segment MAP -o OUT        cut a finished 2D map into rooms
+  project MAP -o OUT        make the 2D map of an OctoMap (.bt, .ot)
+  show FILE                 print a scene_graph.json, or ask it a question
   eval PREDICTED TRUTH      compare predicted rooms with annotated ones
   config --print            write all parameters with units, ranges and the paper's values
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_line.hpp"
 #include "interrupt.hpp"
 #include "mask_source.hpp"
 #include "occusg/error.hpp"
+#include "occusg/io/occusg_1_0_file.hpp"
+#include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/sequence_reader.hpp"
 #include "occusg/pipeline/config_file.hpp"
@@ -25,8 +29,11 @@ constexpr std::size_t kShownBadFrames = 5;
 
 enum class BadFrames { kSkip, kFail };
 
+enum class Schemas { kOurs, kOursAndPublished };
+
 struct RunOutcome {
   std::size_t frames_read = 0;
+  std::size_t frames_known = 0;         ///< Not younger than the session that goes on.
   std::vector<std::string> bad_frames;  ///< One sentence each.
   std::vector<std::string> bad_masks;   ///< Of frames whose objects could not be found.
   bool interrupted = false;
@@ -42,37 +49,47 @@ CommandHelp help() {
       "width, height, fx, fy, cx, cy, depth_scale. Objects come from labels/ (16-bit object ids,\n"
       "named by \"objects\" of rooms.json), or from a segmentation model run on the colour images\n"
       "of rgb.txt (--model, --classes).\n\n"
-      "OUT receives rooms.json, scene_graph.json, scene_graph.dsg.json, rooms.geojson,\n"
-      "free_space.pgm and .yaml, overview.png and timing.json. A frame that cannot be used is\n"
-      "skipped and reported; more than half of them fail the run. Ctrl-C ends the run early and\n"
-      "still writes everything.\n\n"
+      "OUT receives rooms.json, scene_graph.json, .dsg.json and .graphml, rooms.geojson,\n"
+      "free_space.pgm and .yaml, map.ot, overview.png and timing.json. A frame that cannot be "
+      "used\n"
+      "is skipped and reported; more than half of them fail the run. Ctrl-C ends the run early\n"
+      "and still writes everything.\n\n"
       "  occusg run examples/apartment -o out/apartment\n"
-      "  occusg run recording -o out/recording --config paper\n",
+      "  occusg run recording -o out/recording --config paper\n"
+      "  occusg run monday -o out/monday --save-session building\n"
+      "  occusg run tuesday -o out/tuesday --resume building --save-session building\n"
+      "  occusg run second_visit -o out/second --map out/first/map.ot\n",
       {"SEQUENCE"}};
 }
 
 po::options_description options() {
   po::options_description options("Options");
-  options.add_options()("output,o", po::value<std::string>()->required(),
-                        "folder for the results; created when missing")(
-      "config", po::value<std::string>()->default_value("default"),
-      "'default', 'paper' or a YAML file (see 'occusg config --print')")(
-      "decomposer", po::value<std::string>(), "overrides regions.decomposer")(
-      "model", po::value<std::string>(), "ONNX segmentation model of the YOLO family")(
+  addOutputOption(options);
+  addConfigOption(options);
+  addDecomposerOption(options);
+  options.add_options()("model", po::value<std::string>(),
+                        "ONNX segmentation model of the YOLO family")(
       "classes", po::value<std::string>(), "the model's class names, one a line")(
       "room-labels", po::value<std::string>(),
       "table of what speaks for a kind of room (see config/room_labels.yaml)")(
+      "map", po::value<std::string>(),
+      "OctoMap (.bt, .ot) to start from; same resolution and frame")(
+      "resume", po::value<std::string>(),
+      "folder of a saved session to go on from, with its room ids")(
+      "save-session", po::value<std::string>(),
+      "folder to save what the system knows to; a session there is replaced")(
+      "schema", po::value<std::string>(),
+      "occusg-1.0: also write scene_graph.occusg-1.0.json, the published system's schema")(
       "strict", "fail on the first frame that cannot be used");
   return options;
 }
 
 PipelineConfig configFrom(const po::variables_map& values) {
-  PipelineConfig config = loadConfig(values["config"].as<std::string>());
-  if (values.count("room-labels") > 0)
-    config.graph.room_labels = readRoomLabels(values["room-labels"].as<std::string>());
-  if (values.count("decomposer") == 0) return config;
-  return configFromYaml("regions.decomposer: " + values["decomposer"].as<std::string>() + "\n",
-                        "--decomposer", config);
+  PipelineConfig config = overridden(loadConfig(values["config"].as<std::string>()), values,
+                                     "decomposer", "regions.decomposer");
+  if (const auto table = given<std::string>(values, "room-labels"))
+    config.graph.room_labels = readRoomLabels(*table);
+  return config;
 }
 
 MaskSource masksFor(const SequenceReader& sequence, const po::variables_map& values) {
@@ -99,8 +116,16 @@ InstanceMasks masksOf(const Frame& frame, MaskSource& source, BadFrames bad_fram
   return none;
 }
 
+Schemas schemasIn(const po::variables_map& values) {
+  const auto name = given<std::string>(values, "schema");
+  if (!name) return Schemas::kOurs;
+  if (*name == "occusg-1.0") return Schemas::kOursAndPublished;
+  throw UsageError("--schema is '" + *name + "'; allowed is occusg-1.0");
+}
+
+/// @param known_until_s stamp of the last frame of the session that goes on, if one does.
 RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeline& pipeline,
-                      BadFrames bad_frames) {
+                      BadFrames bad_frames, const std::optional<double>& known_until_s) {
   RunOutcome outcome;
   ProgressBar progress(sequence.scene(), sequence.size());
   for (std::size_t i = 0; i < sequence.size(); ++i) {
@@ -109,15 +134,38 @@ RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeli
     ++outcome.frames_read;
     try {
       const Frame frame = sequence.read(i);
-      pipeline.process(frame, masksOf(frame, source, bad_frames, outcome));
+      if (known_until_s && frame.stamp_s <= *known_until_s) {
+        ++outcome.frames_known;
+      } else {
+        pipeline.process(frame, masksOf(frame, source, bad_frames, outcome));
+      }
     } catch (const Error& error) {
       if (bad_frames == BadFrames::kFail) throw;
       outcome.bad_frames.emplace_back(error.what());
     }
     progress.update(i + 1);
   }
-  pipeline.finish();
   return outcome;
+}
+
+/// Makes the pipeline go on from what the options name; the last stamp it knows.
+std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) {
+  const auto map = given<std::string>(values, "map");
+  const auto session_folder = given<std::string>(values, "resume");
+  const OccupancyMapConfig& config = pipeline.config().occupancy;
+  if (map && session_folder) throw UsageError("--map and --resume: a session has its own map");
+  if (map) pipeline.startFrom(readOctomap(*map, config));
+  if (!session_folder) return std::nullopt;
+  Session session = loadSession(*session_folder, config);
+  const double stamp_s = session.state.stamp_s;
+  pipeline.resume(std::move(session));
+  return stamp_s;
+}
+
+void failWhenNoFrameIsNew(const RunOutcome& outcome, const std::string& scene) {
+  if (outcome.frames_known == 0 || outcome.frames_known < outcome.frames_read) return;
+  throw refuse(scene, "has no frame that is younger than the session",
+               "a recording that goes on from it is needed");
 }
 
 void failWhenMostFramesAreBad(const RunOutcome& outcome, const std::string& scene) {
@@ -185,22 +233,37 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
 
   const PipelineConfig config = configFrom(values);
   const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
-  const OutputFolder folder(values["output"].as<std::string>());
+  const Schemas schemas = schemasIn(values);
   Pipeline pipeline(config);
+  const std::optional<double> known_until_s = goOn(pipeline, values);
+  const auto session_folder = given<std::string>(values, "save-session");
+  if (session_folder) checkSessionPlace(*session_folder);
+  const OutputFolder folder(values["output"].as<std::string>());
   MaskSource source = masksFor(sequence, values);
   catchInterrupts();
-  const RunOutcome outcome = processAll(
-      sequence, source, pipeline, values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip);
+  const RunOutcome outcome =
+      processAll(sequence, source, pipeline,
+                 values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip, known_until_s);
   failWhenMostFramesAreBad(outcome, sequence.scene());
+  failWhenNoFrameIsNew(outcome, sequence.scene());
+  if (session_folder)
+    saveSession(*session_folder, pipeline.occupancyMap().tree(),
+                pipeline.sessionState(sequence.scene()));
+  pipeline.finish();
 
   StageTimes times = pipeline.times();
   setPeakMemory(times);
   for (const ResultFile& file : resultFiles(pipeline, sequence.scene(), times))
     folder.write(file.name, file.bytes);
+  if (schemas == Schemas::kOursAndPublished) {
+    folder.write("scene_graph.occusg-1.0.json", toOccusg10(pipeline.graph(), sequence.scene()));
+  }
 
   printRooms(roomsOf(pipeline, sequence.scene()));
   printTimes(times);
   printCounts(pipeline.counts());
+  if (outcome.frames_known > 0)
+    std::cout << "  " << outcome.frames_known << " frames the session knows already, left out\n";
   reportBadInput(sequence, outcome);
   std::cout << "\nResults are in " << folder.path() << '\n';
   if (!outcome.interrupted) return kFine;

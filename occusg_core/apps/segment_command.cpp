@@ -44,11 +44,10 @@ CommandHelp help() {
 
 po::options_description options() {
   po::options_description options("Options");
-  options.add_options()("output,o", po::value<std::string>()->required(),
-                        "folder for the results; created when missing")(
-      "config", po::value<std::string>()->default_value("default"),
-      "'default', 'paper' or a YAML file (see 'occusg config --print')")(
-      "decomposer", po::value<std::string>(), "overrides regions.decomposer")(
+  addOutputOption(options);
+  addConfigOption(options);
+  addDecomposerOption(options);
+  options.add_options()(
       "d-thr", po::value<std::string>(),
       "overrides regions.dude.depth_threshold_m [m]; the decomposer is then dude")(
       "resolution", po::value<double>(), "edge of a pixel [m]")(
@@ -82,12 +81,6 @@ Point2 pointIn(const std::string& text) {
   return point;
 }
 
-template <typename T>
-std::optional<T> given(const po::variables_map& values, const std::string& name) {
-  if (values.count(name) == 0) return std::nullopt;
-  return values[name].as<T>();
-}
-
 MapReaderOptions readerOptionsFrom(const po::variables_map& values) {
   MapReaderOptions options;
   options.resolution_m = given<double>(values, "resolution");
@@ -102,14 +95,10 @@ MapReaderOptions readerOptionsFrom(const po::variables_map& values) {
 
 PipelineConfig configFrom(const po::variables_map& values) {
   PipelineConfig config = loadConfig(values["config"].as<std::string>());
-  const auto override = [&](const std::string& option, const std::string& key) {
-    const auto text = given<std::string>(values, option);
-    if (text) config = configFromYaml(key + ": " + *text + "\n", "--" + option, config);
-  };
   const bool wants_dude = values.count("d-thr") + values.count("debug-drawing") > 0;
   if (wants_dude) config.decomposer = DecomposerKind::kDude;
-  override("decomposer", "regions.decomposer");
-  override("d-thr", "regions.dude.depth_threshold_m");
+  config = overridden(config, values, "decomposer", "regions.decomposer");
+  config = overridden(config, values, "d-thr", "regions.dude.depth_threshold_m");
   if (config.decomposer == DecomposerKind::kDude) return config;
   for (const std::string option : {"d-thr", "debug-drawing"}) {
     if (values.count(option) > 0) {

@@ -8,18 +8,11 @@ recording=$2
 work=$3
 . "$(dirname "${BASH_SOURCE[0]}")/expectations.sh"
 
-# short_recording NAME FRAMES: the first frames of the recording, its images shared.
-short_recording() {
-  mkdir -p "$1"
-  cp "$recording"/camera.json "$recording"/groundtruth.txt "$1"
-  head -n $(($2 + 1)) "$recording/depth.txt" > "$1/depth.txt"
-  ln -s "$recording/depth" "$1/depth"
-}
 short_recording short 24
 
 # --- Help and usage
 expect "help" 0 "" --help
-for command in run segment eval config; do
+for command in run segment project show eval config; do
   expect "$command --help" 0 "" $command --help
   grep -q "Usage: occusg $command" out.txt || fail "$command --help does not show its form"
 done
@@ -48,12 +41,12 @@ expect "unknown decomposer" 1 "allowed is" run short -o out --decomposer magic
 # --- A good run, twice: all files, identical results
 expect "run" 0 "" run short -o one
 expect "run again" 0 "" run short -o two
-for file in rooms.json scene_graph.json scene_graph.dsg.json rooms.geojson free_space.pgm free_space.yaml \
-  overview.png timing.json; do
+for file in rooms.json scene_graph.json scene_graph.dsg.json scene_graph.graphml rooms.geojson free_space.pgm free_space.yaml \
+  map.ot overview.png timing.json; do
   [ -s "one/$file" ] || fail "$file is missing or empty"
   [ $file = timing.json ] || cmp -s "one/$file" "two/$file" || fail "$file differs between two runs"
 done
-[ "$(ls one | wc -l)" -eq 8 ] || fail "files left over in the output folder"
+[ "$(ls one | wc -l)" -eq 10 ] || fail "files left over in the output folder"
 expect "eval" 0 "" eval one/rooms.json "$recording/rooms.json" --json metrics.json
 [ -s metrics.json ] || fail "eval --json wrote nothing"
 expect "eval of a missing file" 1 "nowhere.json" eval nowhere.json one/rooms.json

@@ -26,6 +26,14 @@ expect() {
   fi
 }
 
+# short_recording NAME FRAMES: the first frames of $recording, its images shared.
+short_recording() {
+  mkdir -p "$1"
+  cp "$recording"/camera.json "$recording"/groundtruth.txt "$1"
+  head -n $(($2 + 1)) "$recording/depth.txt" > "$1/depth.txt"
+  ln -s "$recording/depth" "$1/depth"
+}
+
 finish() {
   if [ $failures -gt 0 ]; then
     echo "$failures failures"

@@ -41,4 +41,13 @@ std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_c
   return agent;
 }
 
+void AgentLayer::restore(const SceneGraph& graph, double stamp_s) {
+  *this = AgentLayer(config_);
+  const auto& agents = graph.nodes(NodeType::kAgent);
+  if (agents.empty()) return;
+  const Node& last = agents.rbegin()->second;
+  last_agent_ = Sample{last.id, last.position, last.created_s};
+  last_stamp_s_ = stamp_s;
+}
+
 }  // namespace occusg

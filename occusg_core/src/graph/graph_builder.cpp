@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "occusg/error.hpp"
 
@@ -93,6 +94,19 @@ void GraphBuilder::maintainFinally(double stamp_s, const MapView* map) {
   if (map != nullptr) completeness_.update(graph_, *map->layer, map->changed);
   labeler_.update(graph_);
   history_.update(graph_);
+}
+
+GraphBuilderState GraphBuilder::state() const {
+  return {graph_, rooms_.state(), last_update_s_, last_maintenance_s_};
+}
+
+void GraphBuilder::restore(GraphBuilderState state, double stamp_s) {
+  reset();
+  graph_ = std::move(state.graph);
+  agents_.restore(graph_, stamp_s);
+  rooms_.restore(graph_, state.rooms);
+  last_update_s_ = state.last_update_s;
+  last_maintenance_s_ = state.last_maintenance_s;
 }
 
 void GraphBuilder::reset() { *this = GraphBuilder(config_); }

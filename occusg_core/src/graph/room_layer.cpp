@@ -41,6 +41,14 @@ void RoomLayer::finish(SceneGraph& graph, double stamp_s) {
   syncContainment(graph);
 }
 
+void RoomLayer::restore(const SceneGraph& graph, const RoomLayerState& state) {
+  *this = RoomLayer(config_);
+  first_seen_s_ = state.first_seen_s;
+  former_room_of_region_ = state.former_room_of_region;
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom))
+    room_of_region_.emplace(roomIn(node).region_id, id);
+}
+
 std::optional<NodeId> RoomLayer::ownerOf(int region) const {
   const auto found = room_of_region_.find(region);
   if (found == room_of_region_.end()) return std::nullopt;

@@ -110,6 +110,29 @@ const Node& SceneGraph::add(const Eigen::Vector3d& position, double stamp_s,
   return nodes_[indexOf(type)].append(std::move(node));
 }
 
+const Node& SceneGraph::restore(Node node) {
+  checkFinite(node.position, node.created_s, node.last_seen_s);
+  const NodeType type = node.type();
+  if (node.id < nextId(type) || node.id >= endOfIds(type)) {
+    throw refuse(
+        kWhere,
+        "there is no place for " + std::string(nameOf(type)) + " node " + std::to_string(node.id),
+        "ids from " + std::to_string(nextId(type)) + " to " + std::to_string(endOfIds(type) - 1) +
+            " are free");
+  }
+  added_[indexOf(type)] = node.id + 1 - firstId(type);
+  log_.record(ChangeKind::kAdded, node.id);
+  return nodes_[indexOf(type)].append(std::move(node));
+}
+
+void SceneGraph::skipIdsBefore(NodeType type, NodeId id) {
+  if (id < firstId(type) || id > endOfIds(type)) {
+    throw refuse(kWhere, std::to_string(id) + " is no id of type " + nameOf(type),
+                 "ids from " + std::to_string(firstId(type)) + " on are");
+  }
+  added_[indexOf(type)] = std::max(added_[indexOf(type)], id - firstId(type));
+}
+
 void SceneGraph::update(Node node) {
   checkFinite(node.position, node.created_s, node.last_seen_s);
   const NodeId id = node.id;

@@ -7,6 +7,26 @@ namespace occusg {
 
 using nlohmann::json;
 
+const char* nameOf(RoomReason reason) {
+  switch (reason) {
+    case RoomReason::kBootstrap:
+      return "bootstrap";
+    case RoomReason::kVisited:
+      return "visited";
+    case RoomReason::kPromoted:
+      return "promoted";
+  }
+  return "";
+}
+
+const char* nameOf(RoomState state) {
+  return state == RoomState::kConfirmed ? "confirmed" : "partial";
+}
+
+const char* nameOf(LabelSource source) {
+  return source == LabelSource::kPerson ? "person" : "automatic";
+}
+
 json jsonOf(const Eigen::Vector3d& point) {
   return json::array({rounded(point.x()), rounded(point.y()), rounded(point.z())});
 }

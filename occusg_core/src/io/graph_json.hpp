@@ -10,6 +10,12 @@ namespace occusg {
 
 /// Parts the graph's JSON formats share.
 
+/// "bootstrap", "visited" or "promoted".
+[[nodiscard]] const char* nameOf(RoomReason reason);
+/// "confirmed" or "partial".
+[[nodiscard]] const char* nameOf(RoomState state);
+/// "person" or "automatic".
+[[nodiscard]] const char* nameOf(LabelSource source);
 [[nodiscard]] nlohmann::json jsonOf(const Eigen::Vector3d& point);
 [[nodiscard]] nlohmann::json jsonOf(const Segment2& segment);
 [[nodiscard]] nlohmann::json crossingsOf(const Edge& edge);

@@ -91,14 +91,6 @@ void writeDurably(const TemporaryFile& file, const std::string& bytes,
     fail(shown_path, errno);
 }
 
-/// Makes a rename in the folder last through a power cut.
-void flushFolder(const std::string& folder) {
-  const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // EINVAL: a file system that cannot flush folders.
-  if (descriptor.get() < 0 || (::fsync(descriptor.get()) != 0 && errno != EINVAL))
-    fail(folder, errno);
-}
-
 bool isPlainName(const std::string& name) {
   constexpr std::size_t kLongest = 200;
   return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
@@ -126,7 +118,14 @@ void OutputFolder::write(const std::string& name, const std::string& bytes) cons
   const TemporaryFile file(temporaryPath(path_, name));
   writeDurably(file, bytes, target);
   if (std::rename(file.path().c_str(), target.c_str()) != 0) fail(target, errno);
-  flushFolder(path_);
+  flush();
+}
+
+void OutputFolder::flush() const {
+  const FileDescriptor descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // EINVAL: a file system that cannot flush folders.
+  if (descriptor.get() < 0 || (::fsync(descriptor.get()) != 0 && errno != EINVAL))
+    fail(path_, errno);
 }
 
 }  // namespace occusg

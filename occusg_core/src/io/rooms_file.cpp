@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/io/rooms_file.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "io/json_text.hpp"
+#include "io/polygon_json.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/file_bytes.hpp"
 
@@ -18,54 +17,6 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20U;
 
-double coordinateOf(const json& value, const std::string& where) {
-  const double coordinate = numberOf(value, where);
-  if (std::abs(coordinate) > kMaxRoomCoordinate_m) {
-    throw refuse(where, "is " + toText(coordinate) + " m",
-                 "coordinates must lie within 1e6 m of the origin");
-  }
-  return coordinate;
-}
-
-Point2 pointOf(const json& value, const std::string& where) {
-  if (arrayOf(value, where).size() != 2)
-    throw refuse(where, "has " + std::to_string(value.size()) + " numbers", "[x, y] is needed");
-  return {coordinateOf(value[0], where + " x"), coordinateOf(value[1], where + " y")};
-}
-
-/// Reads rings until the file's share of vertices is used up.
-class RingReader {
- public:
-  explicit RingReader(std::string file) : file_(std::move(file)) {}
-
-  Ring read(const json& value, const std::string& where) {
-    vertices_ += arrayOf(value, where).size();
-    if (vertices_ > kMaxRoomVertices) {
-      throw refuse(file_, "has more than " + std::to_string(kMaxRoomVertices) + " vertices",
-                   "fewer are needed");
-    }
-    Ring ring;
-    ring.reserve(value.size());
-    for (std::size_t i = 0; i < value.size(); ++i)
-      ring.push_back(pointOf(value[i], where + " vertex " + std::to_string(i)));
-    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-    if (ring.size() < 3) {
-      throw refuse(where, "has " + std::to_string(ring.size()) + " vertices",
-                   "at least 3 different ones are needed");
-    }
-    return ring;
-  }
-
- private:
-  std::string file_;
-  std::size_t vertices_ = 0;
-};
-
-Ring oriented(Ring ring, double sign) {
-  if (signedArea(ring) * sign < 0.0) std::reverse(ring.begin(), ring.end());
-  return ring;
-}
-
 RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
                   RingReader& rings) {
   RoomRecord room;
@@ -74,15 +25,7 @@ RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
   const std::string where = file + ": room " + std::to_string(room.id);
   if (const json* label = optionalMember(value, "label", where); label != nullptr)
     room.label = stringOf(*label, where + " label");
-  room.polygon.outer =
-      oriented(rings.read(member(value, "polygon", where), where + " polygon"), 1.0);
-  const json* holes = optionalMember(value, "holes", where);
-  if (holes == nullptr) return room;
-  const std::size_t count = arrayOf(*holes, where + " holes").size();
-  for (std::size_t i = 0; i < count; ++i) {
-    room.polygon.holes.push_back(
-        oriented(rings.read((*holes)[i], where + " hole " + std::to_string(i)), -1.0));
-  }
+  room.polygon = rings.polygonOf(value, where);
   return room;
 }
 
@@ -120,13 +63,7 @@ DoorRecord doorOf(const json& value, const std::string& where, const std::set<in
                    "ids of rooms in the file are needed");
     }
   }
-  const json& segment = arrayOf(member(value, "segment", where), where + " segment");
-  if (segment.size() != 2) {
-    throw refuse(where, "segment has " + std::to_string(segment.size()) + " points",
-                 "two are needed");
-  }
-  door.segment = {pointOf(segment[0], where + " segment[0]"),
-                  pointOf(segment[1], where + " segment[1]")};
+  door.segment = segmentOf(member(value, "segment", where), where + " segment");
   return door;
 }
 

@@ -16,26 +16,6 @@ using nlohmann::json;
 constexpr int kScoreDigits = 6;
 constexpr int kStampDigits = 6;
 
-const char* nameOf(RoomReason reason) {
-  switch (reason) {
-    case RoomReason::kBootstrap:
-      return "bootstrap";
-    case RoomReason::kVisited:
-      return "visited";
-    case RoomReason::kPromoted:
-      return "promoted";
-  }
-  return "";
-}
-
-const char* nameOf(RoomState state) {
-  return state == RoomState::kConfirmed ? "confirmed" : "partial";
-}
-
-const char* nameOf(LabelSource source) {
-  return source == LabelSource::kPerson ? "person" : "automatic";
-}
-
 json histogramOf(const ObjectAttributes& object) {
   json histogram = json::object();
   for (const auto& [name, sum] : object.class_histogram)

@@ -51,6 +51,19 @@ constexpr std::size_t kBytesPerNode = 48;
 /// A frame that spans more is walked ray by ray: its window would take too much memory.
 constexpr std::size_t kMaxWindowBlocks = std::size_t{1} << 22;
 
+/// Files carry the resolution in six digits.
+void checkAgreement(double configured_m, double found_m) {
+  constexpr double kRounding = 1e-5;
+  if (std::abs(found_m - configured_m) <= kRounding * configured_m) return;
+  throw refuse("map", "has voxels of " + std::to_string(found_m) + " m",
+               "the configuration asks for resolution_m " + std::to_string(configured_m));
+}
+
+void clampLeaves(octomap::OcTree& tree, float lowest, float highest) {
+  for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf)
+    leaf->setLogOdds(std::min(std::max(leaf->getLogOdds(), lowest), highest));
+}
+
 octomap::point3d toOctomap(const Point3f& point) { return {point.x, point.y, point.z}; }
 
 /// OctoMap converts coordinates to int before it compares, and prints when they are out of bounds.
@@ -76,6 +89,17 @@ OccupancyMap::OccupancyMap(const OccupancyMapConfig& config)
   tree_->setProbMiss(config_.miss_probability);
   tree_->setClampingThresMin(config_.min_probability);
   tree_->setClampingThresMax(config_.max_probability);
+}
+
+OccupancyMap::OccupancyMap(const OccupancyMapConfig& config,
+                           std::unique_ptr<octomap::OcTree> content)
+    : OccupancyMap(config) {
+  checkAgreement(config_.resolution_m, content->getResolution());
+  clampLeaves(*content, tree_->getClampingThresMinLog(), tree_->getClampingThresMaxLog());
+  content->updateInnerOccupancy();
+  content->prune();
+  tree_->swapContent(*content);
+  tree_->rebuildColumns();
 }
 
 OccupancyMap::OccupancyMap(OccupancyMap&&) noexcept = default;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/pipeline/map_pipeline.hpp"
 
+#include <utility>
+
 namespace occusg {
 namespace {
 
@@ -24,6 +26,12 @@ MapPipeline::MapPipeline(const PipelineConfig& config)
     : projector_(checked(config).depth),
       occupancy_(config.occupancy),
       free_space_(config.free_space, GridFrame{config.occupancy.resolution_m}) {}
+
+const FreeSpace& MapPipeline::startFrom(OccupancyMap map) {
+  const FreeSpace& layer = free_space_.recompute(map);
+  occupancy_ = std::move(map);
+  return layer;
+}
 
 const FreeSpace& MapPipeline::process(const DepthFrame& frame) {
   const RangeImage& image = timed(times_, Stage::kPointCloud, [&]() -> const RangeImage& {

@@ -2,6 +2,7 @@
 #include "occusg/pipeline/pipeline.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "occusg/error.hpp"
 
@@ -23,6 +24,29 @@ void add(RefusedMasks& sum, const RefusedMasks& refused) {
 
 Pipeline::Pipeline(const PipelineConfig& config)
     : config_(config), detection_builder_(config.detection), map_(config), rooms_(config) {}
+
+void Pipeline::startFrom(OccupancyMap map) {
+  if (last_stamp_s_)
+    throw refuse("map", "comes after the first frame", "a map to start from comes before it");
+  changed_since_rooms_ = changed_since_rooms_.including(map_.startFrom(std::move(map)).changed);
+}
+
+void Pipeline::resume(Session session) {
+  startFrom(std::move(session.map));
+  rooms_.resumeFrom(session.state);
+  last_stamp_s_ = session.state.stamp_s;
+  last_pose_ = session.state.T_map_camera;
+}
+
+SessionState Pipeline::sessionState(const std::string& scene) const {
+  if (!last_stamp_s_) throw refuse("session", "has no frame", "one frame at least is needed");
+  SessionState state;
+  state.scene = scene;
+  state.stamp_s = *last_stamp_s_;
+  state.T_map_camera = last_pose_;
+  rooms_.saveTo(state);
+  return state;
+}
 
 void Pipeline::process(const DepthFrame& frame) {
   checkStamp(frame);

@@ -5,7 +5,9 @@
 #include <locale>
 #include <sstream>
 
+#include "occusg/io/graphml_file.hpp"
 #include "occusg/io/map_files.hpp"
+#include "occusg/io/octomap_file.hpp"
 #include "occusg/io/overview_picture.hpp"
 #include "occusg/io/rooms_geojson.hpp"
 #include "occusg/io/scene_graph_file.hpp"
@@ -81,10 +83,12 @@ std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string&
   const MapFiles map = toMapFiles(pipeline.freeSpace(), "free_space.pgm");
   return {{"rooms.json", toJson(rooms)},
           {"scene_graph.json", toJson(pipeline.graph(), scene)},
+          {"scene_graph.graphml", toGraphMl(pipeline.graph(), scene)},
           {"scene_graph.dsg.json", toSparkDsg(pipeline.graph(), scene)},
           {"rooms.geojson", toGeoJson(rooms)},
           {"free_space.pgm", map.pgm},
           {"free_space.yaml", map.yaml},
+          {"map.ot", toOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull)},
           {"overview.png", overviewPng(pipeline, rooms)},
           {"timing.json", timingJson(times)}};
 }

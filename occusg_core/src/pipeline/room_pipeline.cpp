@@ -73,6 +73,19 @@ RoomCounts RoomPipeline::counts() const {
   return counts;
 }
 
+void RoomPipeline::saveTo(SessionState& state) const {
+  state.last_room_update_s = last_update_s_;
+  state.tracker = tracker_.state();
+  state.graph = graph_.state();
+}
+
+void RoomPipeline::resumeFrom(const SessionState& state) {
+  last_update_s_ = state.last_room_update_s;
+  decomposer_->reset();
+  tracker_.restore(state.tracker);
+  graph_.restore(state.graph, state.stamp_s);
+}
+
 StageTimes RoomPipeline::times() const {
   StageTimes times = times_;
   times.setMemory(Stage::kTracking,

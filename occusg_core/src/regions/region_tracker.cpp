@@ -84,6 +84,27 @@ const TrackedRegions& RegionTracker::update(const Decomposition& decomposition) 
   return tracked_;
 }
 
+RegionTrackerState RegionTracker::state() const {
+  RegionTrackerState state;
+  for (const auto& [id, track] : tracks_)
+    state.tracks.push_back({id, track.missed_updates, track.region.polygon});
+  state.next_id = next_id_;
+  return state;
+}
+
+void RegionTracker::restore(const RegionTrackerState& state) {
+  reset();
+  for (const RegionTrackerState::Track& saved : state.tracks) {
+    Track& track = tracks_[saved.id];
+    track.region.id = saved.id;
+    track.region.polygon = saved.polygon;
+    track.region.area_m2 = area(saved.polygon);
+    track.region.centroid = centroid(saved.polygon);
+    track.missed_updates = saved.missed_updates;
+  }
+  next_id_ = state.next_id;
+}
+
 void RegionTracker::reset() { *this = RegionTracker(config_); }
 
 std::vector<int> RegionTracker::assign(const std::vector<Region>& regions) {

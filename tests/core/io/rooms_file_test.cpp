@@ -155,7 +155,7 @@ TEST(RoomsFile, FaultsAreToldWithFileRoomAndValue) {
       {R"({"rooms": [], "doors": [{"rooms": [1, 2]}]})", {"doors[0]", "names room 1"}},
       {withRoom(R"({"id": 1, "polygon": [[0, 0], [1, 0], [1, 1]]}], "doors": [)"
                 R"({"rooms": [1, 1], "segment": [[0, 0]]})"),
-       {"doors[0]", "segment has 1 points"}},
+       {"doors[0]", "segment: has 1 points"}},
   };
   for (const auto& [text, parts] : cases) {
     SCOPED_TRACE(text);

@@ -26,6 +26,10 @@ class AgentLayer {
   /// @throws Error when the pose or the stamp is not finite.
   std::optional<NodeId> observe(SceneGraph& graph, const Pose& T_map_camera, double stamp_s);
 
+  /// Goes on after the last agent of `graph`.
+  /// @param stamp_s of the last pose seen.
+  void restore(const SceneGraph& graph, double stamp_s);
+
   [[nodiscard]] std::size_t posesBackInTime() const { return poses_back_in_time_; }
 
  private:

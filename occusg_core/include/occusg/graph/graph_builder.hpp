@@ -29,6 +29,14 @@ struct GraphBuilderConfig {
   RoomLabelTable room_labels = defaultRoomLabels();
 };
 
+/// Everything a builder knows that the next update does not tell it again.
+struct GraphBuilderState {
+  SceneGraph graph;
+  RoomLayerState rooms;
+  std::optional<double> last_update_s;
+  double last_maintenance_s = 0.0;
+};
+
 /// What an update may know of the map besides the regions.
 struct MapView {
   const FreeSpace* layer = nullptr;  ///< Never null.
@@ -85,6 +93,10 @@ class GraphBuilder {
   [[nodiscard]] std::size_t roomIdSwitches() const { return history_.idSwitches(); }
   [[nodiscard]] std::size_t updatesBackInTime() const { return updates_back_in_time_; }
 
+  [[nodiscard]] GraphBuilderState state() const;
+  /// Goes on where another builder was.
+  /// @param stamp_s of the last pose it saw.
+  void restore(GraphBuilderState state, double stamp_s);
   /// Forgets everything, ids included.
   void reset();
 

@@ -17,6 +17,13 @@ namespace occusg {
 
 enum class Maintenance { kNotDue, kDue };
 
+/// What the layer knows that neither the graph nor the next regions tell it again.
+struct RoomLayerState {
+  std::map<int, double> first_seen_s;  ///< By region.
+  /// Rooms that moved away from a region the tracker may still bring back.
+  std::map<int, NodeId> former_room_of_region;
+};
+
 /// Anchors rooms to tracked regions, one to one (paper, Sec. 3.3), and entities to rooms.
 ///
 /// One update is one sequence: lost rooms move to the successors of their regions; the robot's
@@ -35,6 +42,10 @@ class RoomLayer {
   /// Maintenance after the last update: what waits for time to pass is decided now. With
   /// PromotionEvidence::kObservedArea regions become rooms even if none ever held the robot.
   void finish(SceneGraph& graph, double stamp_s);
+
+  [[nodiscard]] RoomLayerState state() const { return {first_seen_s_, former_room_of_region_}; }
+  /// Goes on with the rooms of `graph`.
+  void restore(const SceneGraph& graph, const RoomLayerState& state);
 
   [[nodiscard]] std::optional<NodeId> currentRoom() const { return current_room_; }
   [[nodiscard]] const EntityAssignment& assignment() const { return assignment_; }

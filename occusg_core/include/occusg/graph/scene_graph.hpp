@@ -33,6 +33,14 @@ class SceneGraph {
   const Node& add(const Eigen::Vector3d& position, double stamp_s, NodeAttributes attributes,
                   int floor_id = 0);
 
+  /// Puts back a node that was saved, under its own id.
+  /// @throws Error as `add`, and when the id is not of the node's type or not beyond all ids of the
+  /// type there ever were.
+  const Node& restore(Node node);
+  /// The next node of the type gets `id` or a later one: ids of removed nodes stay used.
+  /// @throws Error when the id is not of the type.
+  void skipIdsBefore(NodeType type, NodeId id);
+
   /// Replaces the node of that id.
   /// @throws Error when there is none, its type differs, or a value is not finite.
   void update(Node node);

@@ -21,6 +21,10 @@ class OutputFolder {
   /// of that name is untouched.
   void write(const std::string& name, const std::string& bytes) const;
 
+  /// Makes a rename in the folder last through a power cut.
+  /// @throws Error when that fails.
+  void flush() const;
+
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:

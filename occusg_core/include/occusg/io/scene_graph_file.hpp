@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "occusg/graph/scene_graph.hpp"
@@ -27,6 +28,29 @@ inline constexpr int kSceneGraphFileVersion = 1;
 /// @throws Error when a value is not finite.
 [[nodiscard]] std::string toJson(const SceneGraph& graph, const std::string& scene,
                                  const std::string& frame = "map");
+
+/// What a `scene_graph.json` holds.
+struct SceneGraphFile {
+  std::string scene;
+  std::string frame;
+  SceneGraph graph;
+};
+
+/// Limits of what is read.
+inline constexpr std::size_t kMaxGraphNodes = 500'000;
+inline constexpr std::size_t kMaxGraphEdges = 1'000'000;
+
+/// Reads the text of a `scene_graph.json`. Nodes keep their ids; keys not named above are ignored,
+/// those that came after the first files of this version may be absent.
+/// @param where opens every sentence; the file's path.
+/// @throws Error naming the node or edge and the value that cannot be used: another version, a node
+/// twice or of an id that is not its type's, an end that is not there, an edge twice, that joins
+/// the wrong types or leads back in time (which is what a cycle would need), a node in two rooms,
+/// two rooms on one region, a number that is not finite, nesting deeper than 32 levels.
+[[nodiscard]] SceneGraphFile parseSceneGraph(const std::string& text, const std::string& where);
+
+/// @throws Error as `parseSceneGraph`, or when the file cannot be read or exceeds 256 MiB.
+[[nodiscard]] SceneGraphFile readSceneGraph(const std::string& path);
 
 /// The graph's rooms as a `RoomsFile`: id = n of "room_<n>", the n-th room there ever was,
 /// doors = the crossings of adjacent rooms.

@@ -78,6 +78,10 @@ class OccupancyMap {
   /// @throws Error naming the field, its value and the allowed range; the maximum range must lie in
   /// [1, kMaxRangeVoxels] voxels.
   explicit OccupancyMap(const OccupancyMapConfig& config);
+  /// A map that goes on from `content`: its nodes are taken, and its inner values made the largest
+  /// of the children, what can be pruned is, values are held within the clamps.
+  /// @throws Error when the configuration is wrong or its resolution is not that of `content`.
+  OccupancyMap(const OccupancyMapConfig& config, std::unique_ptr<octomap::OcTree> content);
   OccupancyMap(OccupancyMap&&) noexcept;
   OccupancyMap& operator=(OccupancyMap&&) noexcept;
   OccupancyMap(const OccupancyMap&) = delete;

@@ -30,6 +30,10 @@ class MapPipeline {
   /// @throws Error when the configuration breaks a rule.
   explicit MapPipeline(const PipelineConfig& config);
 
+  /// Goes on from a map that was saved. In the layer, `changed` is what differs from before.
+  /// @throws Error when the map is larger than the layer can be; the state is then as before.
+  const FreeSpace& startFrom(OccupancyMap map);
+
   /// Takes one frame into the map. In the layer, `changed` is what this frame changed.
   /// @throws Error when the frame cannot be used; the state is then as before the call.
   const FreeSpace& process(const DepthFrame& frame);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "occusg/io/session_folder.hpp"
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/pipeline/config.hpp"
@@ -25,6 +26,20 @@ class Pipeline {
  public:
   /// @throws Error when the configuration breaks a rule.
   explicit Pipeline(const PipelineConfig& config);
+
+  /// Goes on from a map that was saved; before the first frame.
+  /// @throws Error when there was a frame, or the map is larger than the free-space layer can be;
+  /// the state is then as before the call.
+  void startFrom(OccupancyMap map);
+
+  /// Goes on where a saved session ended, with the same ids; before the first frame. Frames must be
+  /// younger than the session's last.
+  /// @throws Error as `startFrom`.
+  void resume(Session session);
+  /// What to save beside `occupancyMap()` so that another pipeline can go on from here; to be taken
+  /// before `finish`, which decides what only an end decides.
+  /// @throws Error when there was no frame.
+  [[nodiscard]] SessionState sessionState(const std::string& scene) const;
 
   /// Takes one frame through the stages: cloud, occupancy and free space always; regions and graph
   /// when `region_period_s` has passed.

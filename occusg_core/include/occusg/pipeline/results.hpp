@@ -22,7 +22,8 @@ struct ResultFile {
 [[nodiscard]] std::string timingJson(const StageTimes& times);
 
 /// Everything a run leaves behind: rooms, scene graph in our format and Spark-DSG's, GeoJSON, the
-/// free-space map as map_server reads it, the overview picture, the timing.
+/// free-space map as map_server reads it, the 3D map as OctoMap reads it, the overview picture, the
+/// timing.
 [[nodiscard]] std::vector<ResultFile> resultFiles(const Pipeline& pipeline,
                                                   const std::string& scene,
                                                   const StageTimes& times);

@@ -9,6 +9,7 @@
 
 #include "occusg/geometry/pose.hpp"
 #include "occusg/graph/graph_builder.hpp"
+#include "occusg/io/session_state.hpp"
 #include "occusg/mapping/free_space.hpp"
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/stage_times.hpp"
@@ -61,6 +62,11 @@ class RoomPipeline {
   /// @throws Error when the stamp is not finite.
   void finish(double stamp_s);
   void finish(double stamp_s, const MapView& map);
+
+  /// Puts what it knows into `state`.
+  void saveTo(SessionState& state) const;
+  /// Goes on where another one was; regions follow from the next layer.
+  void resumeFrom(const SessionState& state);
 
   [[nodiscard]] const TrackedRegions& regions() const { return tracker_.regions(); }
   [[nodiscard]] const SceneGraph& graph() const { return graph_.graph(); }

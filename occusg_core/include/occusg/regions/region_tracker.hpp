@@ -27,6 +27,17 @@ struct TrackedRegions {
   bool stale = false;  ///< The newest decomposition was rejected; this is the last accepted one.
 };
 
+/// What a tracker knows that the next decomposition does not tell it again.
+struct RegionTrackerState {
+  struct Track {
+    int id = 0;
+    int missed_updates = 0;
+    Polygon polygon;  ///< As last seen.
+  };
+  std::vector<Track> tracks;  ///< By id.
+  int next_id = 1;
+};
+
 /// Gives regions ids that last from update to update (paper, Sec. 3.3). A region continues the
 /// track it overlaps most among those that pass all three gates, one to one; ties go to the nearer
 /// centroid, then to the older track. A matched track takes the new geometry; a region without a
@@ -40,6 +51,11 @@ class RegionTracker {
   /// marked stale. The reference stays valid until the next call.
   const TrackedRegions& update(const Decomposition& decomposition);
   [[nodiscard]] const TrackedRegions& regions() const { return tracked_; }
+  [[nodiscard]] RegionTrackerState state() const;
+  /// Goes on with the tracks of another tracker; there are no regions until the next update, which
+  /// the guard accepts.
+  /// @pre ids rise, and are positive and below `next_id`.
+  void restore(const RegionTrackerState& state);
   /// Forgets all tracks; ids start at 1 again.
   void reset();
 

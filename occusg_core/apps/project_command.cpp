@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+#include "occusg/io/map_files.hpp"
+#include "occusg/io/octomap_file.hpp"
+#include "occusg/io/output_folder.hpp"
+#include "occusg/io/overview_picture.hpp"
+#include "occusg/mapping/free_space_layer.hpp"
+#include "occusg/pipeline/config_file.hpp"
+
+namespace occusg::apps {
+namespace {
+
+namespace po = boost::program_options;
+
+CommandHelp help() {
+  return {"occusg project MAP -o OUT [options]",
+          "Makes the 2D free-space layer of a saved OctoMap (.bt or .ot, OcTree or ColorOcTree).\n"
+          "The resolution is the file's; everything else of mapping.free_space in the\n"
+          "configuration holds, such as which heights count.\n\n"
+          "OUT receives free_space.pgm and .yaml, as map_server and 'occusg segment' read them,\n"
+          "and overview.png.\n\n"
+          "  occusg project building.bt -o out/building\n"
+          "  occusg segment out/building/free_space.yaml -o out/building_rooms\n",
+          {"MAP"}};
+}
+
+po::options_description options() {
+  po::options_description options("Options");
+  addOutputOption(options);
+  addConfigOption(options);
+  return options;
+}
+
+OccupancyMapConfig configFor(const OctomapHeader& header, const PipelineConfig& config) {
+  OccupancyMapConfig fitted = config.occupancy;
+  fitted.resolution_m = header.resolution_m;
+  // Nothing will be inserted; the range must only be one the resolution allows.
+  fitted.max_range_m =
+      std::clamp(fitted.max_range_m, header.resolution_m, kMaxRangeVoxels * header.resolution_m);
+  return fitted;
+}
+
+void report(const OctomapHeader& header, const FreeSpace& layer) {
+  const auto& cells = layer.cells.values();
+  const auto free = static_cast<double>(std::count(cells.begin(), cells.end(), kFree));
+  const auto unknown = static_cast<double>(std::count(cells.begin(), cells.end(), kUnknown));
+  const double cell_m2 = layer.frame.cellArea();
+  std::cout << "\n  " << header.node_count << " nodes, voxels of " << header.resolution_m
+            << " m\n  " << layer.cells.box().width() << " x " << layer.cells.box().height()
+            << " cells: " << std::fixed << std::setprecision(2) << free * cell_m2 << " m2 free, "
+            << (static_cast<double>(cells.size()) - free - unknown) * cell_m2 << " m2 obstacles\n";
+}
+
+}  // namespace
+
+ExitCode projectCommand(const std::vector<std::string>& arguments) {
+  const po::variables_map values = parse(arguments, help(), options());
+  if (helpWasPrinted(values)) return kFine;
+
+  const PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  const std::string path = values["MAP"].as<std::string>();
+  const OctomapHeader header = readOctomapHeader(path);
+  const OccupancyMap map = readOctomap(path, configFor(header, config));
+  FreeSpaceLayer projection(config.free_space, GridFrame{header.resolution_m});
+  const FreeSpace& layer = projection.recompute(map);
+
+  const OutputFolder folder(values["output"].as<std::string>());
+  const MapFiles files = toMapFiles(layer, "free_space.pgm");
+  const std::string name = std::filesystem::path(path).stem().string();
+  folder.write("free_space.pgm", files.pgm);
+  folder.write("free_space.yaml", files.yaml);
+  folder.write("overview.png", encodePng(drawOverview(layer, {name, {}, {}, {}})));
+
+  report(header, layer);
+  std::cout << "\nResults are in " << folder.path() << '\n';
+  return kFine;
+}
+
+}  // namespace occusg::apps

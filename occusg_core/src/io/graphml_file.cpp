@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/io/graphml_file.hpp"
+
+#include <cstddef>
+#include <variant>
+
+#include "io/json_text.hpp"
+
+namespace occusg {
+namespace {
+
+constexpr const char* kKeys =
+    R"( <key id="scene" for="graph" attr.name="scene" attr.type="string"/>
+ <key id="type" for="node" attr.name="type" attr.type="string"/>
+ <key id="x" for="node" attr.name="x" attr.type="double"/>
+ <key id="y" for="node" attr.name="y" attr.type="double"/>
+ <key id="z" for="node" attr.name="z" attr.type="double"/>
+ <key id="floor" for="node" attr.name="floor_id" attr.type="int"/>
+ <key id="name" for="node" attr.name="name" attr.type="string"/>
+ <key id="label" for="node" attr.name="label" attr.type="string"/>
+ <key id="area" for="node" attr.name="area_m2" attr.type="double"/>
+ <key id="width" for="node" attr.name="width_m" attr.type="double"/>
+ <key id="edge" for="edge" attr.name="type" attr.type="string"/>
+)";
+
+/// Text as XML holds it; characters that XML 1.0 cannot hold become "?".
+std::string escaped(const std::string& text) {
+  std::string result;
+  // The JSON library's way with bytes that are not UTF-8.
+  const std::string utf8 =
+      nlohmann::json::parse(
+          nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))
+          .get<std::string>();
+  for (const char c : utf8) {
+    const bool is_control = static_cast<unsigned char>(c) < 0x20U && c != '\t' && c != '\n';
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '>') {
+      result += "&gt;";
+    } else {
+      result += is_control ? '?' : c;
+    }
+  }
+  return result;
+}
+
+std::string data(const char* key, const std::string& value) {
+  return std::string("<data key=\"") + key + "\">" + value + "</data>";
+}
+
+std::string data(const char* key, double value) { return data(key, toText(rounded(value))); }
+
+/// What a node has by its type.
+struct AttributeData {
+  std::string operator()(const AgentAttributes& /*agent*/) const { return ""; }
+  std::string operator()(const ObjectAttributes& object) const {
+    return data("label", escaped(object.class_name));
+  }
+  std::string operator()(const NavigationAttributes& /*navigation*/) const { return ""; }
+  std::string operator()(const RoomAttributes& room) const {
+    return data("name", escaped(room.name)) + data("label", escaped(room.label)) +
+           data("area", room.area_m2);
+  }
+  std::string operator()(const DoorAttributes& door) const { return data("width", door.width_m); }
+};
+
+std::string elementOf(const Node& node) {
+  return "  <node id=\"n" + std::to_string(node.id) + "\">" + data("type", nameOf(node.type())) +
+         data("x", node.position.x()) + data("y", node.position.y()) +
+         data("z", node.position.z()) + data("floor", std::to_string(node.floor_id)) +
+         std::visit(AttributeData{}, node.attributes) + "</node>\n";
+}
+
+std::string elementOf(const Edge& edge) {
+  return "  <edge source=\"n" + std::to_string(edge.source) + "\" target=\"n" +
+         std::to_string(edge.target) + "\">" + data("edge", nameOf(edge.type)) + "</edge>\n";
+}
+
+}  // namespace
+
+std::string toGraphMl(const SceneGraph& graph, const std::string& scene) {
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n";
+  text += kKeys;
+  text += " <graph edgedefault=\"directed\">\n  " + data("scene", escaped(scene)) + "\n";
+  for (std::size_t type = 0; type < kNodeTypeCount; ++type) {
+    for (const auto& [id, node] : graph.nodes(static_cast<NodeType>(type))) text += elementOf(node);
+  }
+  for (std::size_t type = 0; type < kEdgeTypeCount; ++type) {
+    for (const auto& [ends, edge] : graph.edges(static_cast<EdgeType>(type)))
+      text += elementOf(edge);
+  }
+  return text + " </graph>\n</graphml>\n";
+}
+
+}  // namespace occusg

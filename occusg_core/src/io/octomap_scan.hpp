@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "occusg/io/octomap_file.hpp"
+
+namespace occusg {
+
+/// The text a map file begins with.
+/// @param bytes the file, or at least its beginning.
+/// @throws Error naming `where` and the line at fault.
+[[nodiscard]] OctomapHeader scanOctomapHeader(const std::string& bytes, const std::string& where);
+
+/// Checks that what follows the text is one whole tree of the declared number of nodes, at most 16
+/// levels deep, and nothing else. OctoMap's readers check none of this.
+/// @throws Error naming `where` and the byte at fault.
+void checkOctomapData(const std::string& bytes, const OctomapHeader& header,
+                      const std::string& where);
+
+/// Bytes of a node of that type in a `.ot`: log-odds, colour if any, children.
+[[nodiscard]] std::size_t octomapNodeBytes(const OctomapHeader& header);
+
+}  // namespace occusg

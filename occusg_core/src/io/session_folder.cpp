@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/io/session_folder.hpp"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "io/session_json.hpp"
+#include "occusg/error.hpp"
+#include "occusg/io/file_bytes.hpp"
+#include "occusg/io/octomap_file.hpp"
+#include "occusg/io/output_folder.hpp"
+#include "occusg/io/scene_graph_file.hpp"
+
+namespace occusg {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSessionFile = "session.json";
+constexpr const char* kMapFile = "map.ot";
+constexpr const char* kGraphFile = "scene_graph.json";
+constexpr std::size_t kMaxSessionBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxPartBytes = std::size_t{1} << 30U;
+
+/// The folder's path without the slash at its end: what stands beside it is named after it.
+fs::path placeOf(const std::string& folder) {
+  fs::path place = fs::path(folder).lexically_normal();
+  if (!place.has_filename()) place = place.parent_path();
+  if (!place.has_filename() || place.filename() == "." || place.filename() == "..")
+    throw refuse(folder, "is no name for a session", "the name of a folder is needed");
+  return place;
+}
+
+/// Removes what is at the path at the end of the scope.
+class Leftover {
+ public:
+  explicit Leftover(fs::path path) : path_(std::move(path)) { clear(); }
+  Leftover(const Leftover&) = delete;
+  Leftover(Leftover&&) = delete;
+  Leftover& operator=(const Leftover&) = delete;
+  Leftover& operator=(Leftover&&) = delete;
+  ~Leftover() { clear(); }
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  void clear() const {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  fs::path path_;
+};
+
+/// Puts `fresh` where `place` is, in one step where the file system can; `place` may be missing. A
+/// session that was there is then at `fresh`, or gone.
+void exchange(const fs::path& fresh, const fs::path& place) {
+  if (::rename(fresh.c_str(), place.c_str()) == 0) return;
+  if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0) return;
+  const int reason = errno;
+  throw refuse(place.string(),
+               "cannot be replaced (" + std::generic_category().message(reason) + ")",
+               "save the session under a new name");
+}
+
+std::string checkedFile(const fs::path& folder, const std::string& name, const FileMark& wanted) {
+  const std::string path = (folder / name).string();
+  std::string bytes = readFile(path, kMaxPartBytes);
+  const FileMark found = markOf(bytes);
+  if (found.bytes != wanted.bytes) {
+    throw refuse(path, "is " + std::to_string(found.bytes) + " bytes long",
+                 "the session was saved with " + std::to_string(wanted.bytes));
+  }
+  if (found.checksum != wanted.checksum)
+    throw refuse(path, "is not what the session was saved with", "an undamaged session is needed");
+  return bytes;
+}
+
+void checkRooms(const SessionState& state, const std::string& where) {
+  for (const auto& [region, room] : state.graph.rooms.former_room_of_region) {
+    const Node* node = state.graph.graph.find(room);
+    if (node != nullptr && node->type() == NodeType::kRoom) continue;
+    throw refuse(where,
+                 "names room " + std::to_string(room) + " of region " + std::to_string(region),
+                 "a room of the session's graph is needed");
+  }
+}
+
+}  // namespace
+
+void checkSessionPlace(const std::string& folder) {
+  const fs::path place = placeOf(folder);
+  std::error_code failed;
+  if (!fs::exists(place, failed)) return;
+  if (!fs::is_directory(place, failed)) throw refuse(folder, "is a file", "a folder is needed");
+  if (fs::is_empty(place, failed) || fs::exists(place / kSessionFile, failed)) return;
+  throw refuse(folder, "holds something else than a session",
+               "a new or a session's folder is needed");
+}
+
+void saveSession(const std::string& folder, const octomap::OcTree& map, const SessionState& state) {
+  checkSessionPlace(folder);
+  const fs::path place = placeOf(folder);
+  const std::map<std::string, std::string> parts = {
+      {kMapFile, toOctomap(map, OctomapEncoding::kFull)},
+      {kGraphFile, toJson(state.graph.graph, state.scene)}};
+  std::map<std::string, FileMark> marks;
+  for (const auto& [name, bytes] : parts) marks[name] = markOf(bytes);
+
+  fs::path parent = place.parent_path();
+  if (parent.empty()) parent = ".";
+  const OutputFolder beside(parent.string());
+  const Leftover fresh(
+      parent / ("." + place.filename().string() + "." + std::to_string(::getpid()) + ".part"));
+  const OutputFolder written(fresh.path().string());
+  for (const auto& [name, bytes] : parts) written.write(name, bytes);
+  written.write(kSessionFile, toSessionJson(state, marks));
+  exchange(fresh.path(), place);
+  beside.flush();
+}
+
+Session loadSession(const std::string& folder, const OccupancyMapConfig& config) {
+  const fs::path place(folder);
+  const std::string path = (place / kSessionFile).string();
+  SessionJson session = parseSessionJson(readFile(path, kMaxSessionBytes), path);
+  (void)checkedFile(place, kMapFile, session.files.at(kMapFile));
+  const std::string graph_path = (place / kGraphFile).string();
+  SessionState& state = session.state;
+  state.graph.graph =
+      parseSceneGraph(checkedFile(place, kGraphFile, session.files.at(kGraphFile)), graph_path)
+          .graph;
+  for (const auto& [type, id] : session.next_ids) {
+    try {
+      state.graph.graph.skipIdsBefore(type, id);
+    } catch (const Error& error) {
+      throw Error(path + ": " + error.what());
+    }
+  }
+  checkRooms(state, path);
+  return {readOctomap((place / kMapFile).string(), config), std::move(state)};
+}
+
+}  // namespace occusg

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/session_json.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/graph_json.hpp"
+#include "io/json_text.hpp"
+#include "io/polygon_json.hpp"
+#include "io/text_lines.hpp"
+#include "occusg/error.hpp"
+#include "occusg/io/session_folder.hpp"
+
+namespace occusg {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFormat = "occusg-session";
+constexpr int kStampDigits = 6;
+constexpr std::size_t kMaxTracks = 100'000;
+
+json stampOf(double stamp_s) { return rounded(stamp_s, kStampDigits); }
+
+json optionalStampOf(const std::optional<double>& stamp_s) {
+  return stamp_s ? stampOf(*stamp_s) : json(nullptr);
+}
+
+json poseOf(const Pose& pose) {
+  const Eigen::Quaterniond q = canonicalRotation(pose);
+  const Eigen::Vector3d t = pose.translation();
+  return json::array(
+      {rounded(t.x(), 6), rounded(t.y(), 6), rounded(t.z(), 6), q.x(), q.y(), q.z(), q.w()});
+}
+
+json filesOf(const std::map<std::string, FileMark>& files) {
+  json members = json::object();
+  for (const auto& [name, mark] : files)
+    members[name] = {{"bytes", mark.bytes}, {"fnv1a", std::to_string(mark.checksum)}};
+  return members;
+}
+
+json tracksOf(const RegionTrackerState& tracker) {
+  json tracks = json::array();
+  for (const RegionTrackerState::Track& track : tracker.tracks) {
+    json holes = json::array();
+    for (const Ring& hole : track.polygon.holes) holes.push_back(jsonOf(hole));
+    tracks.push_back({{"id", track.id},
+                      {"missed_updates", track.missed_updates},
+                      {"polygon", jsonOf(track.polygon.outer)},
+                      {"holes", std::move(holes)}});
+  }
+  return tracks;
+}
+
+/// [[key, value], ...]
+template <typename Value>
+json pairsOf(const std::map<int, Value>& values) {
+  json pairs = json::array();
+  for (const auto& [key, value] : values) pairs.push_back(json::array({key, value}));
+  return pairs;
+}
+
+json nextIdsOf(const SceneGraph& graph) {
+  json ids = json::object();
+  for (std::size_t i = 0; i < kNodeTypeCount; ++i) {
+    const auto type = static_cast<NodeType>(i);
+    ids[nameOf(type)] = graph.nextId(type);
+  }
+  return ids;
+}
+
+std::optional<double> optionalStamp(const json& document, const char* key,
+                                    const std::string& where) {
+  const json& value = member(document, key, where);
+  if (value.is_null()) return std::nullopt;
+  return numberOf(value, where + ": " + key);
+}
+
+Pose poseIn(const json& value, const std::string& where) {
+  if (arrayOf(value, where).size() != 7)
+    throw refuse(where, "has " + std::to_string(value.size()) + " values", "7 are needed");
+  std::array<double, 7> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = numberOf(value[i], where);
+  }
+  const Eigen::Quaterniond q(numbers[6], numbers[3], numbers[4], numbers[5]);
+  if (std::abs(q.norm() - 1.0) > kUnitQuaternionTolerance)
+    throw refuse(where, "has a rotation of norm " + toText(q.norm()),
+                 "a unit quaternion is needed");
+  Pose pose = Pose::Identity();
+  pose.linear() = q.normalized().toRotationMatrix();
+  pose.translation() = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  return pose;
+}
+
+std::map<std::string, FileMark> filesIn(const json& value, const std::string& where) {
+  std::map<std::string, FileMark> files;
+  for (const char* name : {"map.ot", "scene_graph.json"}) {
+    const std::string place = where + " " + name;
+    const json& mark = member(value, name, where);
+    const json& bytes = member(mark, "bytes", place);
+    const std::string checksum = stringOf(member(mark, "fnv1a", place), place + " fnv1a");
+    constexpr std::size_t kMaxDigits = 20;
+    const bool is_number = !checksum.empty() && checksum.size() <= kMaxDigits &&
+                           checksum.find_first_not_of("0123456789") == std::string::npos;
+    if (!bytes.is_number_unsigned() || !is_number)
+      throw refuse(place, "has no size and checksum", "a whole session is needed");
+    FileMark& read = files[name];
+    read.bytes = bytes.get<std::size_t>();
+    for (const char digit : checksum)
+      read.checksum = 10 * read.checksum + static_cast<unsigned>(digit - '0');
+  }
+  return files;
+}
+
+void checkCount(const json& list, const std::string& where) {
+  if (arrayOf(list, where).size() <= kMaxTracks) return;
+  throw refuse(where, "are " + std::to_string(list.size()),
+               "at most " + std::to_string(kMaxTracks) + " are read");
+}
+
+RegionTrackerState trackerIn(const json& document, const std::string& where) {
+  RegionTrackerState tracker;
+  tracker.next_id =
+      integerOf(member(document, "next_region_id", where), where + ": next_region_id");
+  const json& tracks = member(document, "regions", where);
+  checkCount(tracks, where + ": regions");
+  RingReader rings(where);
+  for (const json& value : tracks) {
+    RegionTrackerState::Track track;
+    track.id = integerOf(member(value, "id", where + ": regions"), where + ": region id");
+    const std::string place = where + ": region " + std::to_string(track.id);
+    const int previous = tracker.tracks.empty() ? 0 : tracker.tracks.back().id;
+    if (track.id <= previous || track.id >= tracker.next_id) {
+      throw refuse(place, "comes after region " + std::to_string(previous),
+                   "ids must rise and stay below " + std::to_string(tracker.next_id));
+    }
+    track.missed_updates =
+        integerOf(member(value, "missed_updates", place), place + " missed_updates");
+    track.polygon = rings.polygonOf(value, place);
+    tracker.tracks.push_back(std::move(track));
+  }
+  return tracker;
+}
+
+/// Reads [[key, value], ...]; `valueOf` reads a value.
+template <typename Value, typename ValueOf>
+std::map<int, Value> pairsIn(const json& list, const std::string& where, const ValueOf& valueOf) {
+  checkCount(list, where);
+  std::map<int, Value> values;
+  for (const json& pair : list) {
+    if (arrayOf(pair, where).size() != 2)
+      throw refuse(where, "has an entry that is no pair", "[key, value] is needed");
+    values[integerOf(pair[0], where)] = valueOf(pair[1], where);
+  }
+  return values;
+}
+
+std::map<NodeType, NodeId> nextIdsIn(const json& value, const std::string& where) {
+  std::map<NodeType, NodeId> ids;
+  for (std::size_t i = 0; i < kNodeTypeCount; ++i) {
+    const auto type = static_cast<NodeType>(i);
+    ids[type] = integerOf(member(value, nameOf(type), where), where + " " + nameOf(type));
+  }
+  return ids;
+}
+
+void checkKind(const json& document, const std::string& where) {
+  const std::string format = stringOf(member(document, "format", where), where + ": format");
+  if (format != kFormat) {
+    throw refuse(where, "has the format \"" + shown(format) + "\"",
+                 std::string("\"") + kFormat + "\" is needed");
+  }
+  const int version = integerOf(member(document, "version", where), where + ": version");
+  if (version != kSessionVersion) {
+    throw refuse(where, "has version " + std::to_string(version),
+                 "version " + std::to_string(kSessionVersion) + " is read");
+  }
+}
+
+}  // namespace
+
+FileMark markOf(const std::string& bytes) {
+  constexpr std::uint64_t kOffset = 14'695'981'039'346'656'037U;
+  constexpr std::uint64_t kPrime = 1'099'511'628'211U;
+  FileMark mark{bytes.size(), kOffset};
+  for (const char byte : bytes)
+    mark.checksum = (mark.checksum ^ static_cast<unsigned char>(byte)) * kPrime;
+  return mark;
+}
+
+std::string toSessionJson(const SessionState& state, const std::map<std::string, FileMark>& files) {
+  return jsonDocument(
+      {{"format", kFormat},
+       {"version", kSessionVersion},
+       {"scene", state.scene},
+       {"files", filesOf(files)},
+       {"stamp_s", stampOf(state.stamp_s)},
+       {"pose", poseOf(state.T_map_camera)},
+       {"last_room_update_s", optionalStampOf(state.last_room_update_s)},
+       {"last_graph_update_s", optionalStampOf(state.graph.last_update_s)},
+       {"last_maintenance_s", stampOf(state.graph.last_maintenance_s)},
+       {"next_ids", nextIdsOf(state.graph.graph)},
+       {"next_region_id", state.tracker.next_id},
+       {"regions", tracksOf(state.tracker)},
+       {"region_first_seen_s", pairsOf(state.graph.rooms.first_seen_s)},
+       {"former_room_of_region", pairsOf(state.graph.rooms.former_room_of_region)}});
+}
+
+SessionJson parseSessionJson(const std::string& text, const std::string& where) {
+  const json document = parseJson(text, where);
+  checkKind(document, where);
+  SessionJson session;
+  session.files = filesIn(member(document, "files", where), where + ": files");
+  SessionState& state = session.state;
+  state.scene = stringOf(member(document, "scene", where), where + ": scene");
+  state.stamp_s = numberOf(member(document, "stamp_s", where), where + ": stamp_s");
+  state.T_map_camera = poseIn(member(document, "pose", where), where + ": pose");
+  state.last_room_update_s = optionalStamp(document, "last_room_update_s", where);
+  state.graph.last_update_s = optionalStamp(document, "last_graph_update_s", where);
+  state.graph.last_maintenance_s =
+      numberOf(member(document, "last_maintenance_s", where), where + ": last_maintenance_s");
+  session.next_ids = nextIdsIn(member(document, "next_ids", where), where + ": next_ids");
+  state.tracker = trackerIn(document, where);
+  state.graph.rooms.first_seen_s = pairsIn<double>(member(document, "region_first_seen_s", where),
+                                                   where + ": region_first_seen_s", numberOf);
+  state.graph.rooms.former_room_of_region =
+      pairsIn<NodeId>(member(document, "former_room_of_region", where),
+                      where + ": former_room_of_region", integerOf);
+  return session;
+}
+
+}  // namespace occusg

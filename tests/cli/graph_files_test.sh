@@ -1,0 +1,57 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Scene graphs as a user and other programs read them: 'occusg show', JSON Schema, GraphML, the
+# published system's schema.
+# Usage: graph_files_test.sh OCCUSG RECORDING SOURCE_FOLDER WORK_FOLDER
+set -uo pipefail
+occusg=$1
+recording=$2
+source=$3
+work=$4
+. "$(dirname "${BASH_SOURCE[0]}")/expectations.sh"
+checks=$source/tests/interchange
+schema=$source/docs/scene_graph.schema.json
+
+# check NAME PROGRAM ARGUMENTS...
+check() {
+  local name=$1
+  shift
+  /usr/bin/python3 "$@" > out.txt 2> err.txt || fail "$name"
+}
+# answers NAME TEXT ARGUMENTS...: standard output holds TEXT.
+answers() {
+  local name=$1 text=$2
+  shift 2
+  expect "$name" 0 "" "$@"
+  grep -qF -- "$text" out.txt || fail "$name: standard output lacks '$text'"
+}
+
+short_recording short 80
+expect "run" 0 "" run short -o out --schema occusg-1.0
+check "scene_graph.json keeps to its schema" "$checks/check_schema.py" "$schema" out/scene_graph.json
+sed 's/"region_id":[0-9]*/"region_id":-1/' out/scene_graph.json > spoilt.json
+check "the schema refuses a spoilt file" "$checks/check_schema.py" "$schema" spoilt.json broken
+check "networkx reads scene_graph.graphml" "$checks/check_graphml.py" out
+grep -q '"schema_version": "1.0"' out/scene_graph.occusg-1.0.json || fail "published schema"
+expect "unknown schema" 2 "occusg-1.0" run short -o other --schema hydra
+
+# --- show
+answers "show" "rooms, " show out/scene_graph.json
+grep -q "adjacent to" out.txt || fail "show prints no rooms"
+grep -q "doors between" out.txt || fail "show prints no doors"
+place=$(sed -n 's/.*"name":"room_1".*"position":\[\([-0-9.]*\),\([-0-9.]*\),.*/\1 \2/p' out/scene_graph.json)
+answers "room at a point" "room_1" show out/scene_graph.json --query "room at $place"
+answers "room at a point outside" "none" show out/scene_graph.json --query "room at 900 900"
+expect "unknown query" 2 "room at X Y" show out/scene_graph.json --query "way to the kitchen"
+expect "broken point" 2 "room at X Y" show out/scene_graph.json --query "room at 1"
+expect "show without a file" 2 "FILE is missing" show
+expect "show a missing file" 1 "does not exist" show nowhere.json
+head -c 3000 out/scene_graph.json > cut.json
+expect "show a file cut short" 1 "cut.json:" show cut.json
+sed 's/"version": 1/"version": 9/' out/scene_graph.json > newer.json
+expect "show a newer file" 1 "newer.json: has version 9" show newer.json
+head -c 1000000 /dev/zero | tr '\0' '[' > nested.json
+expect "show a million nested arrays" 1 "nested.json: is nested deeper" show nested.json
+[ "$(wc -l < err.txt)" -eq 1 ] || fail "more than one sentence"
+
+finish

@@ -1,0 +1,40 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Sessions as a user meets them: 'occusg run --save-session' and '--resume'.
+# Usage: session_test.sh OCCUSG RECORDING WORK_FOLDER
+set -uo pipefail
+occusg=$1
+recording=$2
+work=$3
+. "$(dirname "${BASH_SOURCE[0]}")/expectations.sh"
+
+# rooms FOLDER: id and name of each room.
+rooms() { "$occusg" show "$1/scene_graph.json" | awk '/^  room /,/doors between/' | awk '$1 ~ /^[0-9]+$/ {print $1, $4}'; }
+
+short_recording half 120
+short_recording whole 240
+expect "one run" 0 "" run whole -o one
+expect "first half" 0 "" run half -o first --save-session kept
+for part in map.ot scene_graph.json session.json; do
+  [ -s kept/$part ] || fail "the session lacks $part"
+done
+expect "second half" 0 "" run whole -o second --resume kept --save-session kept
+grep -q "120 frames the session knows already" out.txt || fail "known frames are not counted"
+expect "rooms of the resumed run" 0 "" eval second/rooms.json one/rooms.json --json metrics.json
+cmp -s second/map.ot one/map.ot || fail "resumed run: another map than that of one run"
+[ "$(rooms second)" = "$(rooms one)" ] || { rooms one > out.txt; rooms second > err.txt; fail "resumed run: other rooms"; }
+[ "$(ls -A | grep -c part)" -eq 0 ] || fail "leftovers beside the session"
+
+# --- What cannot be
+expect "no session" 1 "does not exist" run whole -o out --resume nowhere
+expect "map and session" 2 "its own map" run whole -o out --resume kept --map kept/map.ot
+expect "nothing new" 1 "no frame that is younger" run half -o out --resume kept
+cp -r kept damaged && head -c 1000 kept/map.ot > damaged/map.ot
+expect "damaged session" 1 "damaged/map.ot: is 1000 bytes long" run whole -o other --resume damaged
+[ "$(wc -l < err.txt)" -eq 1 ] || fail "more than one sentence"
+[ ! -e other ] || fail "a damaged session left an output folder"
+mkdir thesis && touch thesis/chapter.tex
+expect "a folder that is no session" 1 "something else" run whole -o other --save-session thesis
+[ ! -e other ] || fail "an output folder was made although the session cannot be saved"
+
+finish

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg/io/session_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "error_sentence.hpp"
+#include "occusg/io/octomap_file.hpp"
+#include "occusg/io/scene_graph_file.hpp"
+#include "temporary_folder.hpp"
+#include "voxel_scenes.hpp"
+
+namespace occusg {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::sentenceOf;
+using testing::tells;
+using testing::TemporaryFolder;
+
+Polygon square(double x0) { return {{{x0, 0}, {x0 + 2, 0}, {x0 + 2, 2}, {x0, 2}}, {}}; }
+
+/// One room on region 3, one that was removed, and tracks with a gap.
+SessionState sampleState() {
+  SessionState state;
+  state.scene = "flat";
+  state.stamp_s = 12.5;
+  state.T_map_camera.translation() = Eigen::Vector3d(1, 2, 3);
+  state.last_room_update_s = 12.25;
+  state.tracker.tracks = {{3, 0, square(0)}, {5, 2, square(4)}};
+  state.tracker.next_id = 9;
+  RoomAttributes room;
+  room.name = "room_1";
+  room.region_id = 3;
+  room.polygon = square(0);
+  room.area_m2 = 4.0;
+  SceneGraph& graph = state.graph.graph;
+  const NodeId id = graph.add({1, 1, 0}, 1.0, room).id;
+  room.region_id = 4;
+  graph.remove(graph.add({1, 1, 0}, 1.0, room).id);
+  state.graph.rooms.first_seen_s = {{3, 0.5}, {5, 1.5}};
+  state.graph.rooms.former_room_of_region = {{5, id}};
+  state.graph.last_update_s = 12.25;
+  state.graph.last_maintenance_s = 11.0;
+  return state;
+}
+
+class SessionFolder : public ::testing::Test {
+ protected:
+  SessionFolder() : map_(OccupancyMapConfig{}) {
+    testing::insertSlice(map_, {"..#", ".#.", "###"});
+  }
+  void save(const SessionState& state = sampleState()) const {
+    saveSession(path_, map_.tree(), state);
+  }
+  [[nodiscard]] std::string refusal() const {
+    return sentenceOf([&] { (void)loadSession(path_, OccupancyMapConfig{}); });
+  }
+
+  TemporaryFolder folder_;
+  std::string path_ = folder_.at("kept/session");
+  OccupancyMap map_;
+};
+
+TEST_F(SessionFolder, BringsBackAllThatWasSaved) {
+  save();
+  const Session session = loadSession(path_, OccupancyMapConfig{});
+  const SessionState expected = sampleState();
+  const SessionState& state = session.state;
+  EXPECT_EQ(state.scene, "flat");
+  EXPECT_EQ(state.stamp_s, 12.5);
+  EXPECT_TRUE(state.T_map_camera.isApprox(expected.T_map_camera));
+  EXPECT_EQ(state.last_room_update_s, 12.25);
+  ASSERT_EQ(state.tracker.tracks.size(), 2U);
+  EXPECT_EQ(state.tracker.tracks[1].id, 5);
+  EXPECT_EQ(state.tracker.tracks[1].missed_updates, 2);
+  EXPECT_EQ(state.tracker.tracks[1].polygon.outer, square(4).outer);
+  EXPECT_EQ(state.tracker.next_id, 9);
+  EXPECT_EQ(state.graph.rooms.first_seen_s, expected.graph.rooms.first_seen_s);
+  EXPECT_EQ(state.graph.rooms.former_room_of_region, expected.graph.rooms.former_room_of_region);
+  EXPECT_EQ(state.graph.last_update_s, 12.25);
+  EXPECT_EQ(state.graph.last_maintenance_s, 11.0);
+  EXPECT_EQ(toJson(state.graph.graph, ""), toJson(expected.graph.graph, ""));
+  EXPECT_EQ(toOctomap(session.map.tree(), OctomapEncoding::kFull),
+            toOctomap(map_.tree(), OctomapEncoding::kFull));
+}
+
+TEST_F(SessionFolder, IdsOfRemovedNodesStayUsed) {
+  save();
+  const Session session = loadSession(path_, OccupancyMapConfig{});
+  EXPECT_EQ(session.state.graph.graph.nextId(NodeType::kRoom), firstId(NodeType::kRoom) + 2);
+}
+
+TEST_F(SessionFolder, ReplacesASessionAndLeavesNothingBeside) {
+  save();
+  SessionState second = sampleState();
+  second.stamp_s = 99.0;
+  save(second);
+  EXPECT_EQ(loadSession(path_, OccupancyMapConfig{}).state.stamp_s, 99.0);
+  const fs::directory_iterator entries(folder_.at("kept"));
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1);
+}
+
+TEST_F(SessionFolder, LeavesOtherFoldersAndFilesAlone) {
+  folder_.write("kept/session/thesis.txt", "years of work");
+  EXPECT_TRUE(tells(sentenceOf([&] { save(); }), {"something else than a session"}));
+  EXPECT_EQ(folder_.read("kept/session/thesis.txt"), "years of work");
+  folder_.write("kept/file", "x");
+  EXPECT_TRUE(
+      tells(sentenceOf([&] { checkSessionPlace(folder_.at("kept/file")); }), {"is a file"}));
+  EXPECT_TRUE(tells(sentenceOf([&] { checkSessionPlace("/"); }), {"no name for a session"}));
+}
+
+TEST_F(SessionFolder, SaveThatFailsLeavesTheOldSession) {
+  save();
+  SessionState broken = sampleState();
+  broken.stamp_s = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(tells(sentenceOf([&] { save(broken); }), {"not finite"}));
+  EXPECT_EQ(loadSession(path_, OccupancyMapConfig{}).state.stamp_s, 12.5);
+}
+
+TEST_F(SessionFolder, MissingPartsAreNamed) {
+  EXPECT_TRUE(tells(refusal(), {"session.json", "does not exist"}));
+  for (const std::string part : {"map.ot", "scene_graph.json", "session.json"}) {
+    save();
+    fs::remove(fs::path(path_) / part);
+    EXPECT_TRUE(tells(refusal(), {part, "does not exist"}));
+    fs::remove_all(path_);
+  }
+}
+
+TEST_F(SessionFolder, AnyChangedByteOfAPartIsNoticed) {
+  constexpr unsigned kSeed = 8;
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  std::mt19937 random(kSeed);
+  save();
+  for (const std::string part : {"map.ot", "scene_graph.json"}) {
+    const std::string name = "kept/session/" + part;
+    const std::string bytes = folder_.read(name);
+    for (int i = 0; i < 50; ++i) {
+      std::string changed = bytes;
+      char& byte = changed[random() % changed.size()];
+      byte = static_cast<char>(byte ^ (1U << (random() % 8)));
+      folder_.write(name, changed);
+      EXPECT_TRUE(tells(refusal(), {part, "not what the session was saved with"}));
+    }
+    folder_.write(name, bytes.substr(0, bytes.size() / 2));
+    EXPECT_TRUE(tells(refusal(), {part, "bytes long"}));
+    folder_.write(name, bytes);
+  }
+}
+
+TEST_F(SessionFolder, EveryTruncationOfTheIndexIsRefused) {
+  save();
+  const std::string bytes = folder_.read("kept/session/session.json");
+  for (std::size_t length = 0; length + 2 < bytes.size(); length += 3) {
+    folder_.write("kept/session/session.json", bytes.substr(0, length));
+    EXPECT_TRUE(tells(refusal(), {"session.json"})) << length;
+  }
+}
+
+TEST_F(SessionFolder, ValuesThatCannotBeAreNamed) {
+  const std::vector<std::vector<std::string>> cases = {
+      {"\"version\": 1", "\"version\": 2", "version 2"},
+      {"\"next_region_id\": 9", "\"next_region_id\": 5", "region 5"},
+      {"[[5,4000000]]", "[[5,4000001]]", "names room 4000001"},
+      {"\"ROOM\":4000002", "\"ROOM\":7", "7 is no id of type ROOM"},
+      {"\"stamp_s\": 12.5", "\"stamp_s\": null", "stamp_s"},
+      {"0.0,0.0,0.0,1.0]", "0.0,0.0,0.0,0.0]", "unit quaternion"}};
+  save();
+  const std::string bytes = folder_.read("kept/session/session.json");
+  for (const auto& spoilt : cases) {
+    std::string changed = bytes;
+    ASSERT_NE(changed.find(spoilt[0]), std::string::npos) << spoilt[0] << " in " << bytes;
+    changed.replace(changed.find(spoilt[0]), spoilt[0].size(), spoilt[1]);
+    folder_.write("kept/session/session.json", changed);
+    EXPECT_TRUE(tells(refusal(), {"session.json", spoilt[2]}));
+  }
+}
+
+}  // namespace
+}  // namespace occusg

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "box_world.hpp"
+#include "error_sentence.hpp"
+#include "occusg/geometry/polygon_overlap.hpp"
+#include "occusg/io/session_folder.hpp"
+#include "occusg/pipeline/pipeline.hpp"
+#include "temporary_folder.hpp"
+
+namespace occusg {
+namespace {
+
+using testing::sentenceOf;
+using testing::tells;
+using testing::TemporaryFolder;
+
+void processRange(Pipeline& pipeline, const std::vector<DepthFrame>& frames, std::size_t first,
+                  std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) pipeline.process(frames[i]);
+}
+
+TEST(Session, SecondHalfGoesOnWithTheRoomsOfTheFirst) {
+  const std::vector<DepthFrame> frames = testing::driveThroughTwoRooms();
+  const std::size_t half = frames.size() / 2;
+  Pipeline whole{PipelineConfig{}};
+  processRange(whole, frames, 0, frames.size());
+  whole.finish();
+
+  const TemporaryFolder folder;
+  {
+    Pipeline first{PipelineConfig{}};
+    processRange(first, frames, 0, half);
+    saveSession(folder.at("session"), first.occupancyMap().tree(), first.sessionState("drive"));
+  }
+  Pipeline second{PipelineConfig{}};
+  second.resume(loadSession(folder.at("session"), second.config().occupancy));
+  processRange(second, frames, half, frames.size());
+  second.finish();
+
+  const auto& expected = whole.graph().nodes(NodeType::kRoom);
+  const auto& rooms = second.graph().nodes(NodeType::kRoom);
+  ASSERT_EQ(rooms.size(), 2U);
+  ASSERT_EQ(rooms.size(), expected.size());
+  for (const auto& [id, node] : expected) {
+    const RoomAttributes& room = second.graph().room(id);
+    const RoomAttributes& of_one_run = whole.graph().room(id);
+    EXPECT_EQ(room.name, of_one_run.name);
+    EXPECT_EQ(room.region_id, of_one_run.region_id);
+    EXPECT_EQ(room.reason, of_one_run.reason);
+    EXPECT_GT(intersectionOverUnion(room.polygon, of_one_run.polygon), 0.999);
+  }
+  EXPECT_EQ(second.graph().nodes(NodeType::kAgent).size(),
+            whole.graph().nodes(NodeType::kAgent).size());
+  EXPECT_EQ(second.graph().edges(EdgeType::kTemporal).size(),
+            whole.graph().edges(EdgeType::kTemporal).size());
+  EXPECT_EQ(second.freeSpace().cells, whole.freeSpace().cells);
+}
+
+TEST(Session, NeedsAFrameAndComesBeforeTheFirstOne) {
+  Pipeline pipeline{PipelineConfig{}};
+  EXPECT_TRUE(tells(sentenceOf([&] { (void)pipeline.sessionState("x"); }), {"no frame"}));
+  const std::vector<DepthFrame> frames = testing::driveThroughTwoRooms();
+  processRange(pipeline, frames, 0, 1);
+  Pipeline other{PipelineConfig{}};
+  processRange(other, frames, 0, 1);
+  EXPECT_TRUE(
+      tells(sentenceOf([&] {
+              pipeline.resume({OccupancyMap{OccupancyMapConfig{}}, other.sessionState("x")});
+            }),
+            {"after the first frame"}));
+  EXPECT_GT(pipeline.occupancyMap().tree().size(), 0U);
+}
+
+TEST(Session, OlderFramesAreRefused) {
+  const std::vector<DepthFrame> frames = testing::driveThroughTwoRooms();
+  Pipeline first{PipelineConfig{}};
+  processRange(first, frames, 0, 3);
+  const TemporaryFolder folder;
+  saveSession(folder.at("session"), first.occupancyMap().tree(), first.sessionState("drive"));
+  Pipeline second{PipelineConfig{}};
+  second.resume(loadSession(folder.at("session"), second.config().occupancy));
+  EXPECT_TRUE(tells(sentenceOf([&] { second.process(frames[2]); }), {"not after 0.4 s"}));
+}
+
+}  // namespace
+}  // namespace occusg
