@@ -51,14 +51,20 @@ void RegionSnapshot::update(const TrackedRegions& tracked) {
 void RegionSnapshot::adopt(const TrackedRegions& tracked) {
   ++update_;
   missed_ = {tracked.missed.begin(), tracked.missed.end()};
-  for (const Region& region : tracked.decomposition.regions) adoptRegion(region);
+  // Both are in the order of ids, as a rule: no search needed.
+  auto near = regions_.begin();
+  for (const Region& region : tracked.decomposition.regions) {
+    while (near != regions_.end() && near->first < region.id) ++near;
+    adoptRegion(region, near);
+  }
   dropRegionsNotIn(update_);
   std::sort(changed_regions_.begin(), changed_regions_.end());
   adoptCrossings(tracked.decomposition.crossings);
 }
 
-void RegionSnapshot::adoptRegion(const Region& region) {
-  const auto known = regions_.find(region.id);
+void RegionSnapshot::adoptRegion(const Region& region, std::map<int, Support>::iterator near) {
+  const auto known =
+      near != regions_.end() && near->first == region.id ? near : regions_.find(region.id);
   if (known != regions_.end() && sameRings(known->second.region.polygon, region.polygon)) {
     known->second.update = update_;
     return;
