@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace occusg {
@@ -53,13 +54,19 @@ void RegionSnapshot::adopt(const TrackedRegions& tracked) {
   missed_ = {tracked.missed.begin(), tracked.missed.end()};
   // Both are in the order of ids, as a rule: no search needed.
   auto near = regions_.begin();
+  std::size_t still_there = 0;
   for (const Region& region : tracked.decomposition.regions) {
     while (near != regions_.end() && near->first < region.id) ++near;
+    const bool is_repeated = near != regions_.end() && near->second.update == update_;
     adoptRegion(region, near);
+    const bool is_there = near != regions_.end() && near->first == region.id;
+    if (is_there && !is_repeated && near->second.update == update_) ++still_there;
   }
-  dropRegionsNotIn(update_);
+  if (still_there != regions_.size()) dropRegionsNotIn(update_);
   std::sort(changed_regions_.begin(), changed_regions_.end());
-  adoptCrossings(tracked.decomposition.crossings);
+  const std::vector<Crossing>& crossings = tracked.decomposition.crossings;
+  if (!std::equal(crossings.begin(), crossings.end(), crossings_.begin(), crossings_.end(), isSame))
+    adoptCrossings(crossings);
 }
 
 void RegionSnapshot::adoptRegion(const Region& region, std::map<int, Support>::iterator near) {
