@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace occusg {
@@ -51,14 +52,26 @@ void RegionSnapshot::update(const TrackedRegions& tracked) {
 void RegionSnapshot::adopt(const TrackedRegions& tracked) {
   ++update_;
   missed_ = {tracked.missed.begin(), tracked.missed.end()};
-  for (const Region& region : tracked.decomposition.regions) adoptRegion(region);
-  dropRegionsNotIn(update_);
+  // Both are in the order of ids, as a rule: no search needed.
+  auto near = regions_.begin();
+  std::size_t still_there = 0;
+  for (const Region& region : tracked.decomposition.regions) {
+    while (near != regions_.end() && near->first < region.id) ++near;
+    const bool is_repeated = near != regions_.end() && near->second.update == update_;
+    adoptRegion(region, near);
+    const bool is_there = near != regions_.end() && near->first == region.id;
+    if (is_there && !is_repeated && near->second.update == update_) ++still_there;
+  }
+  if (still_there != regions_.size()) dropRegionsNotIn(update_);
   std::sort(changed_regions_.begin(), changed_regions_.end());
-  adoptCrossings(tracked.decomposition.crossings);
+  const std::vector<Crossing>& crossings = tracked.decomposition.crossings;
+  if (!std::equal(crossings.begin(), crossings.end(), crossings_.begin(), crossings_.end(), isSame))
+    adoptCrossings(crossings);
 }
 
-void RegionSnapshot::adoptRegion(const Region& region) {
-  const auto known = regions_.find(region.id);
+void RegionSnapshot::adoptRegion(const Region& region, std::map<int, Support>::iterator near) {
+  const auto known =
+      near != regions_.end() && near->first == region.id ? near : regions_.find(region.id);
   if (known != regions_.end() && sameRings(known->second.region.polygon, region.polygon)) {
     known->second.update = update_;
     return;

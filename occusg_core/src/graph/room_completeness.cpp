@@ -48,6 +48,15 @@ void addRing(const Ring& ring, const FreeSpace& layer, double spacing_m, Tally& 
   }
 }
 
+/// Whether what is just outside of the polygon may lie in the box.
+bool isTouchedBy(const Bounds2& box, const Polygon& polygon, double resolution_m) {
+  if (polygon.outer.empty()) return false;
+  const Bounds2 own = bounds(polygon);
+  const double margin_m = kWallWithin_cells * resolution_m;
+  return own.min.x - margin_m <= box.max.x && box.min.x <= own.max.x + margin_m &&
+         own.min.y - margin_m <= box.max.y && box.min.y <= own.max.y + margin_m;
+}
+
 }  // namespace
 
 double frontierShare(const Polygon& polygon, const FreeSpace& layer) {
@@ -78,9 +87,11 @@ void RoomCompleteness::update(SceneGraph& graph, const FreeSpace& layer, const C
   if (!changed.empty()) {
     const Point2 low = layer.frame.corner(changed.min);
     const Point2 high = layer.frame.corner(changed.max);
-    for (const NodeId id : graph.inBox(NodeType::kRoom, {{low.x - kReach_m, low.y - kReach_m},
-                                                         {high.x + kReach_m, high.y + kReach_m}}))
-      rooms.insert(id);
+    const Bounds2 reach{{low.x - kReach_m, low.y - kReach_m},
+                        {high.x + kReach_m, high.y + kReach_m}};
+    for (const NodeId id : graph.inBox(NodeType::kRoom, reach))
+      if (isTouchedBy({low, high}, graph.room(id).polygon, layer.frame.resolution_m))
+        rooms.insert(id);
   }
   for (const NodeId room : rooms) judge(graph, room, layer);
   revision_ = graph.revision();

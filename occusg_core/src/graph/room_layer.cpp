@@ -45,8 +45,14 @@ void RoomLayer::restore(const SceneGraph& graph, const RoomLayerState& state) {
   *this = RoomLayer(config_);
   first_seen_s_ = state.first_seen_s;
   former_room_of_region_ = state.former_room_of_region;
-  for (const auto& [id, node] : graph.nodes(NodeType::kRoom))
-    room_of_region_.emplace(roomIn(node).region_id, id);
+  for (const auto& item : first_seen_s_) restored_regions_.insert(item.first);
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
+    const RoomAttributes& room = std::get<RoomAttributes>(node.attributes);
+    room_of_region_.emplace(room.region_id, id);
+    restored_regions_.insert(room.region_id);
+    if (room.unsupported_since_s) lost_rooms_.insert(id);
+    noteRoom(id);
+  }
 }
 
 std::optional<NodeId> RoomLayer::ownerOf(int region) const {
@@ -56,7 +62,9 @@ std::optional<NodeId> RoomLayer::ownerOf(int region) const {
 }
 
 void RoomLayer::noteSupport(SceneGraph& graph, double stamp_s) {
-  for (const int region : snapshot_.changedRegions()) {
+  std::set<int> regions = std::exchange(restored_regions_, {});
+  regions.insert(snapshot_.changedRegions().begin(), snapshot_.changedRegions().end());
+  for (const int region : regions) {
     const bool is_there = snapshot_.has(region);
     if (is_there) {
       first_seen_s_.emplace(region, stamp_s);

@@ -54,7 +54,7 @@ class RegionSnapshot {
 
  private:
   void adopt(const TrackedRegions& tracked);
-  void adoptRegion(const Region& region);
+  void adoptRegion(const Region& region, std::map<int, Support>::iterator near);
   void dropRegionsNotIn(std::uint64_t update);
   void adoptCrossings(std::vector<Crossing> crossings);
 
