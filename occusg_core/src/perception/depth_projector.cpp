@@ -130,8 +130,8 @@ class Lattice {
         if (kind == RayEnd::kNone) continue;
         const bool is_hit = kind == RayEnd::kHit;
         result.hits += is_hit ? 1 : 0;
-        result.ends[index] = toMap(T_map_camera_, ray_x[column], ray_y[row],
-                                   is_hit ? depth_m : config_.max_depth_m);
+        result.ends[index] =
+            toMap(T_map_camera_, ray_x[column], ray_y[row], is_hit ? depth_m : config_.max_depth_m);
       }
     }
   }

@@ -23,11 +23,11 @@ enum class RayEnd : std::uint8_t {
 struct RangeImage {
   CameraModel camera;  ///< Of the lattice: one pixel is one ray. Sides are 0 when there is none.
   Pose T_map_camera = Pose::Identity();
-  Point3f origin;              ///< Sensor position, that of the pose.
-  std::vector<Point3f> ends;   ///< Where the rays end; row-major, width * height.
-  std::vector<RayEnd> kinds;   ///< Of each ray; `ends` means nothing where it is kNone.
-  std::size_t hits = 0;        ///< Rays of kind kHit.
-  PixelDrops drops;            ///< Why the pixels without a ray have none.
+  Point3f origin;             ///< Sensor position, that of the pose.
+  std::vector<Point3f> ends;  ///< Where the rays end; row-major, width * height.
+  std::vector<RayEnd> kinds;  ///< Of each ray; `ends` means nothing where it is kNone.
+  std::size_t hits = 0;       ///< Rays of kind kHit.
+  PixelDrops drops;           ///< Why the pixels without a ray have none.
 };
 
 /// The same rays without the lattice, in row-major order.
