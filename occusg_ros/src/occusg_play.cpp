@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <iostream>
+#include <opencv2/imgproc.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ using occusg_ros::FrameNames;
 constexpr double kClockStep_s = 0.01;  // of the wall
 constexpr double kStandStep_s = 0.1;   // between two poses of the robot that has arrived
 constexpr double kPatience_s = 60.0;   // for subscribers
+constexpr int kMaxScale = 8;
 // ROS takes a stamp of zero for none.
 constexpr double kFirstStamp_s = 1000.0;
 
@@ -33,6 +36,7 @@ struct Options {
   std::string camera = "camera";
   double rate = 1.0;
   double hold_s = 0.0;
+  int scale = 1;
   bool clock = false;
   bool loop = false;
   bool wait = false;
@@ -52,6 +56,7 @@ bool parse(int argc, char** argv, Options& options) {
   named.add_options()("help,h", "print this")("bag", po::value(&options.bag),
                                               "write this bag instead of playing")(
       "rate", po::value(&options.rate), "so many times as fast as recorded")(
+      "scale", po::value(&options.scale), "so many pixels for one, in both directions")(
       "clock", po::bool_switch(&options.clock), "publish /clock; stamps begin at 1000 s")(
       "loop", po::bool_switch(&options.loop), "begin again at the end")(
       "hold", po::value(&options.hold_s), "stand for so long at the end [s]")(
@@ -75,16 +80,47 @@ bool parse(int argc, char** argv, Options& options) {
   }
   if (options.sequence.empty()) throw occusg::Error("occusg_play: name a sequence; see --help");
   if (!(options.rate > 0.0)) throw occusg::Error("occusg_play: --rate must be above 0");
+  if (options.scale < 1 || options.scale > kMaxScale)
+    throw occusg::Error("occusg_play: --scale must be 1 to " + std::to_string(kMaxScale));
   return true;
 }
 
-/// Frame `index` at `stamp`; empty, and said, when it cannot be read.
+/// The frame as a camera with more pixels would have seen it.
+void enlarge(occusg::Frame& frame, int scale) {
+  if (scale == 1) return;
+  cv::Mat pixels;
+  cv::resize(frame.depth.pixels, pixels, {}, scale, scale, cv::INTER_NEAREST);
+  frame.depth.pixels = pixels;
+  occusg::CameraModel& camera = frame.camera;
+  camera.width *= scale;
+  camera.height *= scale;
+  camera.fx *= scale;
+  camera.fy *= scale;
+  // The centre of a pixel moves to the centre of the pixels it becomes.
+  camera.cx = scale * (camera.cx + 0.5) - 0.5;
+  camera.cy = scale * (camera.cy + 0.5) - 0.5;
+}
+
+/// Where recorded times lie among those that are sent: under a clock of its own a replay keeps the
+/// recorded distances and the clock runs faster, under the clock of the wall the distances shrink.
+struct TimeAxis {
+  double start_s = kFirstStamp_s;
+  double speed = 1.0;       ///< Recorded seconds in one second of a stamp.
+  double clock_rate = 1.0;  ///< Seconds of a stamp in one of the wall.
+
+  [[nodiscard]] ros::Time at(double recorded_s) const {
+    return ros::Time(start_s + recorded_s / speed);
+  }
+};
+
+/// Frame `index`; empty, and said, when it cannot be read.
 std::optional<FrameMessages> read(const occusg::SequenceReader& sequence, std::size_t index,
-                                  double start_s, const Options& options) {
+                                  const TimeAxis& time, const Options& options) {
   try {
     occusg::Frame frame = sequence.read(index);
     if (!options.with_color) frame.color_path.reset();
-    return messagesOf(frame, ros::Time(start_s + frame.stamp_s), options.frames);
+    enlarge(frame, options.scale);
+    return messagesOf(frame, time.at(frame.stamp_s), options.frames);
   } catch (const occusg::Error& error) {
     std::cerr << "occusg_play: skipped: " << error.what() << '\n';
     return std::nullopt;
@@ -96,7 +132,7 @@ void writeBag(const occusg::SequenceReader& sequence, const Options& options) {
   bag.setCompression(rosbag::compression::LZ4);
   const std::string ns = "/" + options.camera;
   for (std::size_t i = 0; i < sequence.size(); ++i) {
-    const auto messages = read(sequence, i, kFirstStamp_s, options);
+    const auto messages = read(sequence, i, TimeAxis{}, options);
     if (!messages) continue;
     const ros::Time stamp = messages->depth.header.stamp;
     bag.write("/tf", stamp, messages->tf);
@@ -138,27 +174,25 @@ void publish(const Publishers& publishers, const FrameMessages& messages) {
   if (messages.color && publishers.color) publishers.color.publish(*messages.color);
 }
 
-/// Lets the wall run until the recording's time is `until_s`.
+/// Lets the wall run until a stamp's time has come.
 class Pace {
  public:
-  Pace(const Publishers& publishers, double rate, double start_s)
-      : publishers_(publishers), rate_(rate), start_s_(start_s) {}
+  Pace(const Publishers& publishers, const TimeAxis& time) : publishers_(publishers), time_(time) {}
 
   void waitUntil(double until_s) const {
     while (ros::ok() && now() < until_s - 1e-9) {
-      ros::WallDuration(std::min(kClockStep_s, (until_s - now()) / rate_)).sleep();
+      ros::WallDuration(std::min(kClockStep_s, (until_s - now()) / time_.clock_rate)).sleep();
       publishClock(publishers_, std::min(now(), until_s));
     }
   }
 
  private:
   [[nodiscard]] double now() const {
-    return start_s_ + (ros::WallTime::now() - begun_).toSec() * rate_;
+    return time_.start_s + (ros::WallTime::now() - begun_).toSec() * time_.clock_rate;
   }
 
   const Publishers& publishers_;
-  double rate_;
-  double start_s_;
+  TimeAxis time_;
   ros::WallTime begun_ = ros::WallTime::now();
 };
 
@@ -178,11 +212,17 @@ void stand(const Publishers& publishers, FrameMessages messages, const Options& 
 
 void playOnce(const occusg::SequenceReader& sequence, const Publishers& publishers,
               const Options& options) {
-  const double start_s = options.clock ? kFirstStamp_s : ros::WallTime::now().toSec();
-  const Pace pace(publishers, options.rate, start_s);
+  TimeAxis time;
+  if (options.clock) {
+    time.clock_rate = options.rate;
+  } else {
+    time.start_s = ros::WallTime::now().toSec();
+    time.speed = options.rate;
+  }
+  const Pace pace(publishers, time);
   std::optional<FrameMessages> last;
   for (std::size_t i = 0; ros::ok() && i < sequence.size(); ++i) {
-    const auto messages = read(sequence, i, start_s, options);
+    const auto messages = read(sequence, i, time, options);
     if (!messages) continue;
     pace.waitUntil(messages->depth.header.stamp.toSec());
     publish(publishers, *messages);
