@@ -5,6 +5,12 @@
 #include <numeric>
 
 namespace occusg_ros {
+namespace {
+
+constexpr double kSayMissingAfter_s = 4.0;  // said within 5 s, checked every second
+constexpr double kSayAgainAfter_s = 30.0;
+
+}  // namespace
 
 std::string nameOf(Drop drop) {
   switch (drop) {
@@ -75,6 +81,21 @@ std::string missingInput(const std::vector<NeededInput>& inputs, const std::stri
   }
   if (!missing.empty()) return missing;
   return last_problem.empty() ? "" : "messages come but none could be used: " + last_problem;
+}
+
+std::string MissingInputReport::toSay(const std::vector<NeededInput>& inputs,
+                                      const std::string& last_problem, double running_s) {
+  if (running_s < kSayMissingAfter_s) return {};
+  std::string sentence = missingInput(inputs, last_problem);
+  if (sentence.empty()) return {};
+  std::string missing;
+  for (const NeededInput& input : inputs)
+    if (input.received == 0) missing += input.topic + " ";
+  const bool is_news = said_s_ < 0.0 || missing != missing_;
+  if (!is_news && running_s - said_s_ < kSayAgainAfter_s) return {};
+  missing_ = missing;
+  said_s_ = running_s;
+  return sentence;
 }
 
 }  // namespace occusg_ros

@@ -6,31 +6,27 @@
 namespace occusg_ros {
 namespace {
 
-constexpr double kSayMissingAfter_s = 4.0;  // said within 5 s, checked every second
-constexpr double kThrottle_s = 5.0;
+constexpr double kOld_s = 5.0;
 constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 
 }  // namespace
 
 void MappingNode::checkHealth() {
   diagnostics_.force_update();
-  const double running_s = steadySeconds() - started_s_;
-  if (running_s < kSayMissingAfter_s) return;
-  if (ros::Time::isSimTime() && ros::Time::now().isZero()) {
-    ROS_WARN_STREAM_THROTTLE(kThrottle_s, handles_.name << ": use_sim_time is set but no /clock "
-                                                           "comes; start the bag with --clock");
+  if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
+    ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
+                                     "with --clock");
   }
   const InputHealth::Counts counts = health_.counts();
-  if (said_what_is_missing_ || counts.used > 0) return;
+  if (counts.used > 0) return;
   const std::string missing =
-      missingInput({{"depth image", image_subscriber_.getTopic(), counts.received,
-                     image_subscriber_.getNumPublishers()},
-                    {"camera_info", info_subscriber_.getTopic(), infos_received_,
-                     info_subscriber_.getNumPublishers()}},
-                   counts.last_problem.empty() ? tfProblem() : counts.last_problem);
-  if (missing.empty()) return;
-  said_what_is_missing_ = true;
-  ROS_WARN_STREAM(handles_.name << ": nothing is mapped: " << missing);
+      missing_input_.toSay({{"depth image", image_subscriber_.getTopic(), counts.received,
+                             image_subscriber_.getNumPublishers()},
+                            {"camera_info", info_subscriber_.getTopic(), infos_received_,
+                             info_subscriber_.getNumPublishers()}},
+                           counts.last_problem.empty() ? tfProblem() : counts.last_problem,
+                           steadySeconds() - started_s_);
+  if (!missing.empty()) ROS_WARN_STREAM(handles_.name << ": nothing is mapped: " << missing);
 }
 
 void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {
@@ -49,7 +45,7 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
     status.summary(Level::ERROR, "no depth image could be used: " + counts.last_problem);
   } else if (paused_) {
     status.summary(Level::OK, "paused");
-  } else if (age_s > kThrottle_s) {
+  } else if (age_s > kOld_s) {
     status.summary(Level::WARN, "no usable depth image for " + std::to_string(age_s) + " s");
   } else if (mebibytes > settings_.soft_memory_mib) {
     status.summary(Level::WARN, "the map is larger than soft_memory_mib");

@@ -29,7 +29,6 @@ constexpr double kFewValidPixels = 0.05;
 constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 constexpr milliseconds kPoll{10};
 constexpr std::uint32_t kQueue = 10;
-constexpr double kThrottle_s = 5.0;
 
 /// A node and, with seven of eight others, the array of children it hangs in.
 std::size_t bytesOf(const octomap::OcTree& tree) {
@@ -110,8 +109,8 @@ void MappingNode::subscribe() {
 void MappingNode::drop(Drop reason, const std::string& sentence, std::size_t count) {
   if (count == 0) return;
   health_.noteDropped(reason, sentence, count);
-  if (!sentence.empty())
-    ROS_WARN_STREAM_THROTTLE(kThrottle_s, handles_.name << ": image not used: " << sentence);
+  if (!sentence.empty() && drop_warnings_.allows())
+    ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
 }
 
 void MappingNode::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
@@ -288,10 +287,8 @@ void MappingNode::process(const WaitingImage& waiting) {
     frame_times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
     const auto points = static_cast<double>(map_->counts().points - points_before);
     const auto drops = static_cast<double>(map_->counts().pixel_drops.total() - before.total());
-    if (points < kFewValidPixels * (points + drops)) {
-      ROS_WARN_STREAM_THROTTLE(kThrottle_s,
-                               handles_.name << ": less than 5 % of the depth image is valid");
-    }
+    if (points < kFewValidPixels * (points + drops) && pixel_warnings_.allows())
+      ROS_WARN_STREAM(handles_.name << ": less than 5 % of the depth image is valid");
   } catch (const occusg::Error& error) {
     drop(Drop::kMap, error.what());
     return;

@@ -29,6 +29,7 @@
 #include "occusg_ros/pose_gate.hpp"
 #include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/tf_poses.hpp"
+#include "occusg_ros/throttle.hpp"
 #include "occusg_ros/worker.hpp"
 
 namespace occusg_ros {
@@ -98,7 +99,10 @@ class MappingNode {
   std::atomic<std::size_t> infos_received_{0};
   std::atomic<bool> paused_{false};
   double started_s_;
-  bool said_what_is_missing_ = false;
+  MissingInputReport missing_input_;
+  Throttle drop_warnings_{kWarningPeriod_s};
+  Throttle clock_warnings_{kWarningPeriod_s};
+  Throttle pixel_warnings_{kWarningPeriod_s};
 
   mutable std::mutex mutex_;  ///< Of the members up to `status_`.
   PendingFrames<WaitingImage> waiting_;

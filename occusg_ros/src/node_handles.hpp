@@ -7,6 +7,9 @@
 
 namespace occusg_ros {
 
+/// Between two equal warnings [s].
+inline constexpr double kWarningPeriod_s = 5.0;
+
 /// What a nodelet gets from its manager.
 struct NodeHandles {
   ros::NodeHandle inputs;              ///< One callback at a time.

@@ -2,33 +2,24 @@
 #include "scene_graph_node.hpp"
 
 namespace occusg_ros {
-namespace {
-
-constexpr double kSayMissingAfter_s = 4.0;  // said within 5 s, checked every second
-constexpr double kThrottle_s = 5.0;
-
-}  // namespace
-
 void SceneGraphNode::checkHealth() {
   diagnostics_.force_update();
-  if (steadySeconds() - started_s_ < kSayMissingAfter_s) return;
-  if (ros::Time::isSimTime() && ros::Time::now().isZero()) {
-    ROS_WARN_STREAM_THROTTLE(kThrottle_s, handles_.name << ": use_sim_time is set but no /clock "
-                                                           "comes; start the bag with --clock");
+  if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
+    ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
+                                     "with --clock");
   }
   const InputHealth::Counts counts = health_.counts();
-  if (said_what_is_missing_ || counts.used > 0) return;
+  if (counts.used > 0) return;
   std::string problem = counts.last_problem;
   if (problem.empty()) {
     const std::lock_guard<std::mutex> lock(mutex_);
     problem = pose_problem_;
   }
-  const std::string missing = missingInput({{"free space", grid_subscriber_.getTopic(),
-                                             counts.received, grid_subscriber_.getNumPublishers()}},
-                                           problem);
-  if (missing.empty()) return;
-  said_what_is_missing_ = true;
-  ROS_WARN_STREAM(handles_.name << ": there is no scene graph: " << missing);
+  const std::string missing =
+      missing_input_.toSay({{"free space", grid_subscriber_.getTopic(), counts.received,
+                             grid_subscriber_.getNumPublishers()}},
+                           problem, steadySeconds() - started_s_);
+  if (!missing.empty()) ROS_WARN_STREAM(handles_.name << ": there is no scene graph: " << missing);
 }
 
 void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -25,7 +25,6 @@ constexpr milliseconds kPoll{10};
 constexpr std::uint32_t kQueue = 10;
 constexpr std::uint32_t kUpdateQueue = 100;
 constexpr double kTick_s = 0.1;
-constexpr double kThrottle_s = 5.0;
 
 SceneGraphSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
   SceneGraphSettings settings;
@@ -120,7 +119,7 @@ void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
     const std::string problem = grid_subscriber_.getTopic() + ": its frame is '" + frame +
                                 "'; ~map_frame is '" + settings_.map_frame + "'";
     health_.noteDropped(Drop::kImage, problem);
-    ROS_WARN_STREAM_THROTTLE(kThrottle_s, handles_.name << ": map not used: " << problem);
+    if (map_warnings_.allows()) ROS_WARN_STREAM(handles_.name << ": map not used: " << problem);
     return;
   }
   {
@@ -138,10 +137,9 @@ void SceneGraphNode::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
 
 void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detections) {
   const ReceivedDetections received = toDetections(*detections);
-  if (received.refused > 0) {
-    ROS_WARN_STREAM_THROTTLE(kThrottle_s, handles_.name
-                                              << ": " << received.refused
-                                              << " detections refused: " << received.first_refusal);
+  if (received.refused > 0 && detection_warnings_.allows()) {
+    ROS_WARN_STREAM(handles_.name << ": " << received.refused
+                                  << " detections refused: " << received.first_refusal);
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   detections_received_ += detections->detections.size();
@@ -196,7 +194,8 @@ Worker::Progress SceneGraphNode::step() {
     health_.noteUsed();
   } catch (const occusg::Error& error) {
     health_.noteDropped(Drop::kMap, error.what());
-    ROS_WARN_STREAM_THROTTLE(kThrottle_s, handles_.name << ": map not used: " << error.what());
+    if (map_warnings_.allows())
+      ROS_WARN_STREAM(handles_.name << ": map not used: " << error.what());
   }
   return Worker::Progress::kWorked;
 }

@@ -35,6 +35,7 @@
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/ros_timeline.hpp"
 #include "occusg_ros/tf_poses.hpp"
+#include "occusg_ros/throttle.hpp"
 #include "occusg_ros/worker.hpp"
 #include "scene_graph_settings.hpp"
 
@@ -116,7 +117,10 @@ class SceneGraphNode {
   std::atomic<bool> paused_{false};
   std::atomic<bool> tick_is_posted_{false};
   double started_s_;
-  bool said_what_is_missing_ = false;
+  MissingInputReport missing_input_;
+  Throttle map_warnings_{kWarningPeriod_s};
+  Throttle clock_warnings_{kWarningPeriod_s};
+  Throttle detection_warnings_{kWarningPeriod_s};
 
   mutable std::mutex mutex_;  ///< Of the members up to `status_`.
   std::optional<WaitingGrid> waiting_;

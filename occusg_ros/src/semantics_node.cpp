@@ -19,8 +19,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{10};
 constexpr std::uint32_t kQueue = 10;
-constexpr double kThrottle_s = 5.0;
-constexpr double kSayMissingAfter_s = 4.0;
 
 SemanticsSettings settingsFrom(const NodeHandles& handles) {
   SemanticsSettings settings;
@@ -87,8 +85,8 @@ SemanticsNode::~SemanticsNode() {
 
 void SemanticsNode::drop(Drop reason, const std::string& sentence) {
   health_.noteDropped(reason, sentence);
-  if (!sentence.empty())
-    ROS_WARN_STREAM_THROTTLE(kThrottle_s, handles_.name << ": image not used: " << sentence);
+  if (!sentence.empty() && warnings_.allows())
+    ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
 }
 
 void SemanticsNode::onViews(const sensor_msgs::ImageConstPtr& color,

@@ -22,6 +22,7 @@
 #include "occusg/pipeline/stage_times.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/tf_poses.hpp"
+#include "occusg_ros/throttle.hpp"
 #include "occusg_ros/worker.hpp"
 
 namespace occusg_ros {
@@ -72,7 +73,8 @@ class SemanticsNode {
   SemanticsSettings settings_;
   InputHealth health_;
   double started_s_;
-  bool said_what_is_missing_ = false;
+  MissingInputReport missing_input_;
+  Throttle warnings_{kWarningPeriod_s};
 
   std::mutex mutex_;  ///< Of the members up to `detections_`.
   std::optional<Views> waiting_;

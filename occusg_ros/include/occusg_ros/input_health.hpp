@@ -72,4 +72,18 @@ struct NeededInput {
 [[nodiscard]] std::string missingInput(const std::vector<NeededInput>& inputs,
                                        const std::string& last_problem);
 
+/// Decides when `missingInput` is said: a few seconds after the start, again when other inputs are
+/// missing than before, and every half minute while nothing could be used.
+class MissingInputReport {
+ public:
+  /// @param running_s since the node started.
+  /// @return what to say now; empty: nothing.
+  [[nodiscard]] std::string toSay(const std::vector<NeededInput>& inputs,
+                                  const std::string& last_problem, double running_s);
+
+ private:
+  std::string missing_;  ///< Topics without messages when it was last said.
+  double said_s_ = -1.0;
+};
+
 }  // namespace occusg_ros

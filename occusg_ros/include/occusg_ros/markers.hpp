@@ -21,7 +21,7 @@ struct MarkerLayout {
   double room_height_m = 4.0;        ///< Of room nodes above their floor [m].
   double object_height_m = 0.0;      ///< Of objects above where they are [m].
   double navigation_height_m = 0.1;  ///< Of navigation nodes above where they are [m].
-  double room_opacity = 0.55;        ///< Of the coloured floor of a room, 0..1.
+  double room_opacity = 0.8;         ///< Of the coloured floor of a room, 0..1.
   bool show_regions = false;
   bool show_containment = true;
 };

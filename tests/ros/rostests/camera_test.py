@@ -26,7 +26,8 @@ class CameraTest(unittest.TestCase):
         cls.layers = 0
         rospy.Subscriber("/occusg/free_space", OccupancyGrid, cls.take_layer)
         cls.robot.wait_for_subscribers(cls.robot.clock_publisher, cls.robot.info_publisher,
-                                       cls.robot.depth_publisher, cls.robot.tf_publisher)
+                                       cls.robot.depth_publisher, cls.robot.tf_publisher,
+                                       connections=2)
         cls.now = 1000.0
         cls.drive(8)
 

@@ -32,7 +32,9 @@ class LaserTest(unittest.TestCase):
         cls.current = None
         rospy.Subscriber("/occusg/scene_graph_updates", SceneGraphUpdate, cls.updates.append)
         rospy.Subscriber("/occusg/current_room", CurrentRoom, cls.take_current)
-        rospy.Timer(rospy.Duration(0.1), lambda _: cls.robot.send_pose(rospy.Time.now(), *cls.place))
+        cls.walk = rospy.Timer(rospy.Duration(0.1), lambda _: cls.robot.send_pose(
+            rospy.Time.now(), *cls.place))
+        rospy.on_shutdown(cls.walk.shutdown)
         cls.robot.wait_for_subscribers(cls.map_publisher, cls.robot.tf_publisher)
         # As a map_server does: once, and long ago.
         cls.map_publisher.publish(two_rooms(rospy.Time.now() - rospy.Duration(500)))

@@ -101,10 +101,10 @@ class Robot:
                                               queue_size=10)
         self.depth_publisher = rospy.Publisher("/camera/depth/image_rect", Image, queue_size=100)
 
-    def wait_for_subscribers(self, *publishers):
+    def wait_for_subscribers(self, *publishers, connections=1):
         for publisher in publishers:
-            wait_until(lambda p=publisher: p.get_num_connections() > 0, 30,
-                       "somebody listens to " + publisher.name)
+            wait_until(lambda p=publisher: p.get_num_connections() >= connections, 30,
+                       "%d listen to %s" % (connections, publisher.name))
         time.sleep(0.5)
 
     def set_clock(self, stamp):

@@ -36,7 +36,7 @@ class ShutdownTest(unittest.TestCase):
     def test_row_15_mapping_saves_on_sigint(self):
         process = self.start("mapping", "mapped", "depth/image_rect:=/camera/depth/image_rect",
                              "depth/camera_info:=/camera/depth/camera_info")
-        diagnostics = Diagnostics("/mapped: mapping")
+        diagnostics = Diagnostics("mapped: mapping")
         self.robot.wait_for_subscribers(self.robot.depth_publisher, self.robot.info_publisher,
                                         self.robot.tf_publisher)
         self.robot.info_publisher.publish(camera_info())
@@ -52,7 +52,7 @@ class ShutdownTest(unittest.TestCase):
         process = self.start("scene_graph", "graphed", "free_space:=/map")
         publisher = rospy.Publisher("/map", OccupancyGrid, queue_size=1, latch=True)
         publisher.publish(two_rooms(rospy.Time.now()))
-        diagnostics = Diagnostics("/graphed: scene graph")
+        diagnostics = Diagnostics("graphed: scene graph")
 
         def is_used():
             self.robot.send_pose(rospy.Time.now(), 1.0, 2.0)

@@ -76,6 +76,19 @@ TEST(InputHealth, MissingInputsAreNamedInOneSentence) {
   EXPECT_EQ(missingInput({{"depth image", "/d", 5, 1}}, ""), "");
 }
 
+TEST(InputHealth, MissingInputsAreSaidOnceAndAgainWhenOthersAreMissing) {
+  MissingInputReport report;
+  NeededInput image{"depth image", "/image", 0, 0};
+  EXPECT_EQ(report.toSay({image}, "", 1.0), "") << "a driver takes a moment";
+  EXPECT_NE(report.toSay({image}, "", 4.5), "");
+  EXPECT_EQ(report.toSay({image}, "", 5.5), "");
+  image.received = 3;
+  EXPECT_EQ(report.toSay({image}, "", 6.5), "");
+  EXPECT_NE(report.toSay({image}, "no transform", 7.5), "");
+  EXPECT_EQ(report.toSay({image}, "no transform", 8.5), "");
+  EXPECT_NE(report.toSay({image}, "no transform", 38.5), "");
+}
+
 TEST(InputHealth, DropsAreCountedByReason) {
   InputHealth health;
   health.noteReceived();
