@@ -2,6 +2,9 @@
 #include "mapping_node.hpp"
 
 #include <nav_msgs/OccupancyGrid.h>
+#ifdef OCCUSG_HAVE_OCTOMAP_MSGS
+#include <octomap_msgs/Octomap.h>
+#endif
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/String.h>
 
@@ -26,14 +29,8 @@ using std::chrono::milliseconds;
 constexpr double kIdle_s = 1.0;  // without a frame, the last layer goes out
 constexpr double kStampTolerance_s = 1e-6;
 constexpr double kFewValidPixels = 0.05;
-constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 constexpr milliseconds kPoll{10};
 constexpr std::uint32_t kQueue = 10;
-
-/// A node and, with seven of eight others, the array of children it hangs in.
-std::size_t bytesOf(const octomap::OcTree& tree) {
-  return tree.size() * (tree.memoryUsageNode() + sizeof(void*));
-}
 
 MappingSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
   MappingSettings settings;
@@ -77,6 +74,9 @@ MappingNode::~MappingNode() {
 void MappingNode::advertise() {
   layer_publisher_ = handles_.inputs.advertise<nav_msgs::OccupancyGrid>("free_space", 1, true);
   voxel_publisher_ = handles_.inputs.advertise<sensor_msgs::PointCloud2>("occupied_voxels", 1);
+#ifdef OCCUSG_HAVE_OCTOMAP_MSGS
+  octomap_publisher_ = handles_.inputs.advertise<octomap_msgs::Octomap>("octomap", 1);
+#endif
   config_publisher_ = handles_.parameters.advertise<std_msgs::String>("config", 1, true);
   std_msgs::String config;
   config.data = occusg::toYaml(config_, occusg::ConfigComments::kNone);
@@ -271,24 +271,15 @@ void MappingNode::process(const WaitingImage& waiting) {
   }
   if (pose == PoseVerdict::kRelocalised)
     ROS_WARN_STREAM(handles_.name << ": the robot was relocalised; the map goes on from there");
-  if (static_cast<double>(bytesOf(map_->occupancyMap().tree())) >
-      settings_.hard_memory_mib * kBytesPerMebibyte) {
-    drop(Drop::kMap, "the map has reached hard_memory_mib; reset it or raise the limit");
-    return;
-  }
   const std::optional<occusg::CameraModel> camera = this->camera();
   if (!camera) return;
   try {
     const double start_s = steadySeconds();
-    const occusg::PixelDrops before = map_->counts().pixel_drops;
-    const std::size_t points_before = map_->counts().points;
+    const occusg::MapCounts before = map_->counts();
     map_->process({waiting.logical_s, toDepthImage(*waiting.image, image_subscriber_.getTopic()),
                    *camera, answer.T_target_source});
     frame_times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
-    const auto points = static_cast<double>(map_->counts().points - points_before);
-    const auto drops = static_cast<double>(map_->counts().pixel_drops.total() - before.total());
-    if (points < kFewValidPixels * (points + drops) && pixel_warnings_.allows())
-      ROS_WARN_STREAM(handles_.name << ": less than 5 % of the depth image is valid");
+    if (!reachedMap(before)) return;
   } catch (const occusg::Error& error) {
     drop(Drop::kMap, error.what());
     return;
@@ -302,6 +293,26 @@ void MappingNode::process(const WaitingImage& waiting) {
     publishLayer(*unpublished_, waiting.logical_s);
   if (last_frame_s_ - last_voxels_s_ > live().voxels_period_s) publishVoxels(*unpublished_);
   noteStatus(last_frame_s_ - waiting.arrived_s);
+}
+
+bool MappingNode::reachedMap(const occusg::MapCounts& before) {
+  const occusg::MapCounts& now = map_->counts();
+  const auto points = static_cast<double>(now.points - before.points);
+  const auto drops = static_cast<double>(now.pixel_drops.total() - before.pixel_drops.total());
+  if (points < kFewValidPixels * (points + drops) && pixel_warnings_.allows())
+    ROS_WARN_STREAM(handles_.name << ": less than 5 % of the depth image is valid");
+  if (now.frames_without_memory > before.frames_without_memory) {
+    drop(Drop::kMap, "the map has reached mapping/occupancy/max_memory_mb; reset it or raise it");
+  } else if (now.frames_outside_map > before.frames_outside_map) {
+    drop(Drop::kMap, "the camera is farther away than the map reaches; choose a nearer origin");
+  } else if (now.frames_from_occupied > before.frames_from_occupied) {
+    drop(Drop::kMap, "the camera would be inside an obstacle; the pose or the map is wrong there");
+  } else if (now.frames_without_depth > before.frames_without_depth) {
+    drop(Drop::kMap, "not one pixel has a depth");
+  } else {
+    return true;
+  }
+  return false;
 }
 
 void MappingNode::publishLayer(const std_msgs::Header& header, double logical_s) {
@@ -320,8 +331,14 @@ void MappingNode::publishLastLayer() {
 }
 
 void MappingNode::publishVoxels(const std_msgs::Header& header) {
-  if (voxel_publisher_.getNumSubscribers() == 0) return;
   last_voxels_s_ = steadySeconds();
+#ifdef OCCUSG_HAVE_OCTOMAP_MSGS
+  if (octomap_publisher_.getNumSubscribers() > 0) {
+    octomap_publisher_.publish(
+        toOctomapMsg<octomap_msgs::Octomap>(map_->occupancyMap().tree(), header));
+  }
+#endif
+  if (voxel_publisher_.getNumSubscribers() == 0) return;
   voxel_publisher_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
       occupiedVoxels(map_->occupancyMap().tree(), header)));
 }
@@ -337,7 +354,7 @@ void MappingNode::noteStatus(double lag_s) {
   const std::lock_guard<std::mutex> lock(mutex_);
   status_.counts = map_->counts();
   status_.map_nodes = map_->occupancyMap().tree().size();
-  status_.map_bytes = bytesOf(map_->occupancyMap().tree());
+  status_.map_bytes = map_->occupancyMap().memoryBytes();
   status_.last_lag_s = lag_s;
   if (with_times) status_.frame_times = times;
 }

@@ -76,6 +76,8 @@ class MappingNode {
   [[nodiscard]] PendingFrames<WaitingImage>::Taken nextImage();
   void dropLateImages();
   void process(const WaitingImage& waiting);
+  /// Whether the frame just processed changed the map; says why when it did not.
+  [[nodiscard]] bool reachedMap(const occusg::MapCounts& before);
   void publishLayer(const std_msgs::Header& header, double logical_s);
   void publishVoxels(const std_msgs::Header& header);
   void publishLastLayer();

@@ -30,7 +30,6 @@ struct MappingSettings {
   Overload overload = Overload::kSkip;
   OnTimeJump on_time_jump = OnTimeJump::kKeep;
   double soft_memory_mib = 1000.0;
-  double hard_memory_mib = 2000.0;
   bool allow_reset = true;
   bool save_on_exit = true;
   std::string save_folder;
@@ -60,8 +59,6 @@ struct MappingSettings {
           {"on_time_jump", "", "What becomes of the map when the clock jumps back."}),
       numberParameter(settings.soft_memory_mib, {1.0, 1e6},
                       {"soft_memory_mib", "MiB", "A larger map is warned of."}),
-      numberParameter(settings.hard_memory_mib, {1.0, 1e6},
-                      {"hard_memory_mib", "MiB", "A larger map takes no more images."}),
       choiceParameter<bool>(settings.allow_reset, {{"true", true}, {"false", false}},
                             {"allow_reset", "", "Whether the reset service may be used."}),
       choiceParameter<bool>(settings.save_on_exit, {{"true", true}, {"false", false}},

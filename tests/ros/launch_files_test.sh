@@ -11,7 +11,6 @@ for launch in "$root"/launch/*.launch "$root"/launch/bringup/*.launch; do
     arguments+=(driver:=false)
   fi
   echo "$launch"
-  roslaunch --nodes "$launch" "${arguments[@]}" > /dev/null
   roslaunch --dump-params "$launch" "${arguments[@]}" > /dev/null
   undocumented=$(grep -c '<arg .*default="[^"]*"/>' "$launch" || true)
   if [ "$undocumented" -ne 0 ]; then

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <sstream>
 #include <string>
 
 #include "occusg/mapping/free_space.hpp"
@@ -43,5 +44,21 @@ inline constexpr std::size_t kMaxShownVoxels = 2'000'000;
 /// `kMaxShownVoxels` of them.
 [[nodiscard]] sensor_msgs::PointCloud2 occupiedVoxels(const octomap::OcTree& tree,
                                                       const std_msgs::Header& header);
+
+/// The tree as `octomap_msgs/Octomap` carries it, binary: free, occupied, unknown. A template,
+/// because that package is not everywhere.
+template <typename OctomapMsg>
+[[nodiscard]] OctomapMsg toOctomapMsg(const octomap::OcTree& tree, const std_msgs::Header& header) {
+  OctomapMsg msg;
+  msg.header = header;
+  msg.binary = true;
+  msg.id = tree.getTreeType();
+  msg.resolution = tree.getResolution();
+  std::ostringstream stream;
+  tree.writeBinaryData(stream);
+  const std::string bytes = stream.str();
+  msg.data.assign(bytes.begin(), bytes.end());
+  return msg;
+}
 
 }  // namespace occusg_ros

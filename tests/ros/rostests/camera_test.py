@@ -183,7 +183,7 @@ class CameraTest(unittest.TestCase):
         wait_until(lambda: small.count("dropped: refused_by_map") > 0 or not self.drive(4), 40,
                    "the small map is full")
         small.wait_for("dropped: refused_by_map", 1)
-        self.assertIn("hard_memory_mib", small.values["last problem"])
+        self.assertIn("max_memory_mb", small.values["last problem"])
 
     def test_row_16_folder_that_cannot_be_written_is_said_and_survived(self):
         save = rospy.ServiceProxy("/occusg/small/save", SaveMap)

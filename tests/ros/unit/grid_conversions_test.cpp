@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "occusg/error.hpp"
 
@@ -157,6 +160,29 @@ TEST(GridConversions, OccupiedVoxelsOfAPrunedLeafAreAllShown) {
   sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
   EXPECT_NEAR(x[0], 0.05F, 1e-4F);
   EXPECT_NEAR((x + 7)[2], 0.15F, 1e-4F);
+}
+
+// What octomap_msgs/Octomap looks like, where it is not installed.
+struct OctomapLookalike {
+  std_msgs::Header header;
+  bool binary = false;
+  std::string id;
+  double resolution = 0.0;
+  std::vector<std::int8_t> data;
+};
+
+TEST(GridConversions, OctomapMessageReadsBackAsTheSameTree) {
+  octomap::OcTree tree(0.1);
+  tree.updateNode(0.05F, 0.05F, 0.05F, true);
+  tree.updateNode(0.55F, 0.05F, 0.05F, false);
+  const auto msg = toOctomapMsg<OctomapLookalike>(tree, {});
+  EXPECT_EQ(msg.id, "OcTree");
+  octomap::OcTree back(msg.resolution);
+  std::stringstream stream(std::string(msg.data.begin(), msg.data.end()));
+  back.readBinaryData(stream);
+  EXPECT_EQ(back.size(), tree.size());
+  ASSERT_NE(back.search(0.05, 0.05, 0.05), nullptr);
+  EXPECT_TRUE(back.isNodeOccupied(back.search(0.05, 0.05, 0.05)));
 }
 
 }  // namespace
