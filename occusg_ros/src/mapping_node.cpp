@@ -10,12 +10,9 @@
 
 #include <boost/make_shared.hpp>
 #include <chrono>
-#include <sstream>
 #include <utility>
 
 #include "occusg/error.hpp"
-#include "occusg/io/map_files.hpp"
-#include "occusg/io/output_folder.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
@@ -52,6 +49,7 @@ MappingNode::MappingNode(const NodeHandles& handles)
       tf_listener_(tf_),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   advertise();
+  resume();
   worker_ = std::make_unique<Worker>(kPoll, [this] { return step(); });
   subscribe();
 }
@@ -82,10 +80,6 @@ void MappingNode::advertise() {
   config.data = occusg::toYaml(config_, occusg::ConfigComments::kNone);
   config_publisher_.publish(config);
 
-  ros::NodeHandle& own = handles_.parameter_services;
-  services_ = {own.advertiseService("reset", &MappingNode::onReset, this),
-               own.advertiseService("pause", &MappingNode::onPause, this),
-               own.advertiseService("save", &MappingNode::onSave, this)};
   reconfigure_ =
       std::make_unique<dynamic_reconfigure::Server<occusg::MappingLiveConfig>>(handles_.parameters);
   reconfigure_->setCallback(
@@ -95,6 +89,11 @@ void MappingNode::advertise() {
 }
 
 void MappingNode::subscribe() {
+  ros::NodeHandle& own = handles_.parameter_services;
+  services_ = {own.advertiseService("reset", &MappingNode::onReset, this),
+               own.advertiseService("pause", &MappingNode::onPause, this),
+               own.advertiseService("save", &MappingNode::onSave, this),
+               own.advertiseService("load", &MappingNode::onLoad, this)};
   info_subscriber_ =
       handles_.inputs.subscribe("depth/camera_info", kQueue, &MappingNode::onInfo, this);
   transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
@@ -357,33 +356,6 @@ void MappingNode::noteStatus(double lag_s) {
   status_.map_bytes = map_->occupancyMap().memoryBytes();
   status_.last_lag_s = lag_s;
   if (with_times) status_.frame_times = times;
-}
-
-void MappingNode::resetMap() {
-  map_ = std::make_unique<occusg::MapPipeline>(config_);
-  pose_gate_.reset();
-  last_layer_s_.reset();
-  unpublished_.reset();
-  noteStatus(0.0);
-  // Whoever shows the layer must see that it is gone.
-  std_msgs::Header header;
-  header.stamp = ros::Time::now();
-  header.frame_id = settings_.map_frame;
-  layer_publisher_.publish(
-      boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(map_->freeSpace(), header)));
-}
-
-std::string MappingNode::save(const std::string& name) {
-  const occusg::OutputFolder folder(expandedFolder(settings_.save_folder) + "/" +
-                                    checkedSaveName(name));
-  std::ostringstream tree;
-  if (!map_->occupancyMap().tree().writeBinaryConst(tree))
-    throw occusg::Error("occupancy.bt: OctoMap could not write the map");
-  folder.write("occupancy.bt", tree.str());
-  const occusg::MapFiles map = occusg::toMapFiles(map_->freeSpace(), "free_space.pgm");
-  folder.write("free_space.pgm", map.pgm);
-  folder.write("free_space.yaml", map.yaml);
-  return folder.path();
 }
 
 }  // namespace occusg_ros

@@ -83,11 +83,16 @@ class MappingNode {
   void publishLastLayer();
   void noteStatus(double lag_s);
   void resetMap();
+  void showNewMap();
   [[nodiscard]] std::string save(const std::string& name);
+  void load(const std::string& name);
+  void resume();
+  [[nodiscard]] std::string folderOf(const std::string& name) const;
 
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Response& response);
+  bool onLoad(occusg::LoadMap::Request& request, occusg::LoadMap::Response& response);
 
   [[nodiscard]] MappingLive live() const;
   [[nodiscard]] std::optional<occusg::CameraModel> camera() const;

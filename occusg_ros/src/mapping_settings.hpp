@@ -33,6 +33,7 @@ struct MappingSettings {
   bool allow_reset = true;
   bool save_on_exit = true;
   std::string save_folder;
+  std::string resume;
   MappingLive live;
 };
 
@@ -65,6 +66,8 @@ struct MappingSettings {
                             {"save_on_exit", "", "Whether the map is saved as 'last' at the end."}),
       textParameter(settings.save_folder,
                     {"save_folder", "", "Where maps are saved; empty: ~/.ros/occusg."}),
+      textParameter(settings.resume,
+                    {"resume", "", "Name of a saved map to go on from; empty: begin anew."}),
       numberParameter(live.tf_timeout_s, {0.0, 60.0},
                       {"tf_timeout_s", "s", "How long an image waits for its transform."}),
       numberParameter(live.voxels_period_s, {0.1, 3600.0},

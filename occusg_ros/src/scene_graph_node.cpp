@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "occusg/error.hpp"
-#include "occusg/io/output_folder.hpp"
 #include "occusg/pipeline/config_file.hpp"
-#include "occusg/pipeline/results.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/pose_conversions.hpp"
@@ -46,6 +44,7 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   layer_.frame.resolution_m = config_.occupancy.resolution_m;
   advertiseTopics();
+  resume();
   worker_ = std::make_unique<Worker>(kPoll, [this] { return step(); });
   advertiseServices();
   subscribe();
@@ -63,7 +62,6 @@ SceneGraphNode::~SceneGraphNode() {
   marker_publisher_.shutdown();
   if (!settings_.save_on_exit || !rooms_->lastUpdate()) return;
   try {
-    rooms_->finish(*rooms_->lastUpdate());
     ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM(handles_.name << ": not saved: " << error.what());
@@ -136,14 +134,32 @@ void SceneGraphNode::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
 }
 
 void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detections) {
-  const ReceivedDetections received = toDetections(*detections);
+  ReceivedDetections received = toDetections(*detections);
+  const std::string& frame = detections->header.frame_id;
+  if (frame != settings_.map_frame) {
+    received = {{},
+                detections->detections.size(),
+                "their frame is '" + frame + "'; ~map_frame is '" + settings_.map_frame + "'"};
+  }
   if (received.refused > 0 && detection_warnings_.allows()) {
     ROS_WARN_STREAM(handles_.name << ": " << received.refused
                                   << " detections refused: " << received.first_refusal);
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  detections_received_ += detections->detections.size();
-  detections_refused_ += received.refused;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    detections_received_ += detections->detections.size();
+    detections_refused_ += received.refused;
+  }
+  if (paused_ || received.detections.empty()) return;
+  worker_->post(
+      [this, found = std::move(received.detections), stamp_s = detections->header.stamp.toSec()] {
+        try {
+          rooms_->observeObjects(found, timeline_.at(stamp_s));
+        } catch (const occusg::Error& error) {
+          if (detection_warnings_.allows())
+            ROS_WARN_STREAM(handles_.name << ": detections not used: " << error.what());
+        }
+      });
 }
 
 void SceneGraphNode::onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint32_t /*level*/) {
@@ -248,6 +264,7 @@ void SceneGraphNode::update(const nav_msgs::OccupancyGrid& grid, const occusg::P
                                                 : layer.cells.box().including(layer_.cells.box());
   layer.changed = changed;
   layer_ = std::move(layer);
+  last_pose_ = pose;
   rooms_->update(layer_, changed, pose, timeline_.at(grid.header.stamp.toSec()));
   publish(grid.header);
   noteStatus();
@@ -326,28 +343,6 @@ void SceneGraphNode::noteStatus() {
   status_.nodes = rooms_->graph().nodeCount();
   status_.edges = rooms_->graph().edgeCount();
   if (!times.empty()) status_.times = std::move(times);
-}
-
-void SceneGraphNode::resetGraph() {
-  rooms_ = std::make_unique<occusg::RoomPipeline>(config_);
-  layer_ = {};
-  layer_.frame.resolution_m = config_.occupancy.resolution_m;
-  last_maintenance_s_.reset();
-  std_msgs::Header header;
-  header.stamp = ros::Time::now();
-  header.frame_id = settings_.map_frame;
-  publish(header);
-  noteStatus();
-}
-
-std::string SceneGraphNode::save(const std::string& name) {
-  const occusg::OutputFolder folder(expandedFolder(settings_.save_folder) + "/" +
-                                    checkedSaveName(name));
-  for (const occusg::ResultFile& file : occusg::resultFiles(
-           {layer_, rooms_->graph(), config_.graph.rooms.floor_z_m, settings_.scene},
-           rooms_->times()))
-    folder.write(file.name, file.bytes);
-  return folder.path();
 }
 
 SceneGraphNode::GraphPtr SceneGraphNode::lastGraph() const {

@@ -10,6 +10,7 @@
 #include <occusg/GetRoomAt.h>
 #include <occusg/GetSceneGraph.h>
 #include <occusg/ListRooms.h>
+#include <occusg/LoadMap.h>
 #include <occusg/SaveMap.h>
 #include <occusg/SceneGraphLiveConfig.h>
 #include <occusg/SceneGraphStamped.h>
@@ -93,6 +94,9 @@ class SceneGraphNode {
   void noteStatus();
   void resetGraph();
   [[nodiscard]] std::string save(const std::string& name);
+  void load(const std::string& name);
+  void resume();
+  [[nodiscard]] std::string folderOf(const std::string& name) const;
 
   bool onGetSceneGraph(occusg::GetSceneGraph::Request& request,
                        occusg::GetSceneGraph::Response& response);
@@ -103,12 +107,18 @@ class SceneGraphNode {
                       occusg::SetRoomLabel::Response& response);
   bool onSegmentMap(occusg::SegmentMap::Request& request, occusg::SegmentMap::Response& response);
   bool onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Response& response);
+  bool onLoad(occusg::LoadMap::Request& request, occusg::LoadMap::Response& response);
   bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   /// Runs `work` on the worker's thread; the sentence of what went wrong, empty when nothing did.
   [[nodiscard]] std::string onWorker(const std::function<void()>& work);
   [[nodiscard]] GraphPtr lastGraph() const;
+  /// Asks the same of the node that maps; the sentence of what went wrong, empty when nothing did
+  /// or there is no such node.
+  template <typename Service>
+  [[nodiscard]] std::string askMapping(const std::string& service,
+                                       const typename Service::Request& request) const;
 
   NodeHandles handles_;
   SceneGraphSettings settings_;
@@ -141,6 +151,7 @@ class SceneGraphNode {
   RosTimeline timeline_;
   std::uint64_t sequence_ = 0;
   std::optional<double> last_maintenance_s_;
+  occusg::Pose last_pose_ = occusg::Pose::Identity();
   double last_status_s_ = 0.0;  ///< Steady clock [s].
 
   tf2_ros::Buffer tf_;

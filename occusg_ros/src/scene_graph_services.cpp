@@ -10,7 +10,6 @@
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/room_path.hpp"
-#include "occusg_ros/saved_folder.hpp"
 #include "scene_graph_node.hpp"
 
 namespace occusg_ros {
@@ -18,8 +17,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{30000};
 constexpr std::size_t kMaxLabelLength = 64;
-
-std::string noRoom(std::int64_t id) { return "there is no room of id " + std::to_string(id); }
 
 bool isPrintable(const std::string& text) {
   return std::all_of(text.begin(), text.end(),
@@ -45,6 +42,7 @@ void SceneGraphNode::advertiseServices() {
                nh.advertiseService("set_room_label", &SceneGraphNode::onSetRoomLabel, this),
                nh.advertiseService("segment_map", &SceneGraphNode::onSegmentMap, this),
                own.advertiseService("save", &SceneGraphNode::onSave, this),
+               own.advertiseService("load", &SceneGraphNode::onLoad, this),
                own.advertiseService("reset", &SceneGraphNode::onReset, this),
                own.advertiseService("pause", &SceneGraphNode::onPause, this)};
 }
@@ -117,12 +115,11 @@ bool SceneGraphNode::onSetRoomLabel(occusg::SetRoomLabel::Request& request,
                                     occusg::SetRoomLabel::Response& response) {
   if (request.label.size() > kMaxLabelLength || !isPrintable(request.label))
     return answer(response, "a label has at most 64 bytes of printable ASCII", "");
-  const std::string label = request.label.empty() ? "unknown" : request.label;
-  const std::string problem = onWorker([this, id = request.room, label] {
-    if (!rooms_->setRoomLabel(id, label)) throw occusg::Error(noRoom(id));
+  const std::string problem = onWorker([this, id = request.room, label = request.label] {
+    rooms_->setRoomLabel(id, label);
     publish(lastGraph()->header);
   });
-  return answer(response, problem, label);
+  return answer(response, problem, "the label is set");
 }
 
 bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,
@@ -142,29 +139,6 @@ bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,
     return answer(response, error.what(), "");
   }
   return answer(response, "", std::to_string(response.regions.size()) + " regions");
-}
-
-bool SceneGraphNode::onSave(occusg::SaveMap::Request& request,
-                            occusg::SaveMap::Response& response) {
-  const auto folder = std::make_shared<std::string>();
-  const std::string problem =
-      onWorker([this, name = request.name, folder] { *folder = save(name); });
-  if (problem.empty()) response.folder = *folder;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    status_.last_save = problem.empty() ? response.folder : "failed: " + problem;
-  }
-  return answer(response, problem, "saved");
-}
-
-bool SceneGraphNode::onReset(std_srvs::Trigger::Request& /*request*/,
-                             std_srvs::Trigger::Response& response) {
-  if (!settings_.allow_reset) return answer(response, "~allow_reset is false", "");
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    waiting_.reset();
-  }
-  return answer(response, onWorker([this] { resetGraph(); }), "the graph is empty");
 }
 
 bool SceneGraphNode::onPause(std_srvs::SetBool::Request& request,

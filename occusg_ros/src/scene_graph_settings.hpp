@@ -24,6 +24,8 @@ struct SceneGraphSettings {
   bool allow_reset = true;
   bool save_on_exit = true;
   std::string save_folder;
+  std::string resume;
+  std::string mapping_node = "mapping";
   MarkerLayout layout;
 };
 
@@ -53,6 +55,11 @@ struct SceneGraphSettings {
           {"save_on_exit", "", "Whether the rooms are saved as 'last' at the end."}),
       textParameter(settings.save_folder,
                     {"save_folder", "", "Where rooms are saved; empty: ~/.ros/occusg."}),
+      textParameter(settings.resume,
+                    {"resume", "", "Name of a saved session to go on from; empty: begin anew."}),
+      textParameter(settings.mapping_node,
+                    {"mapping_node", "",
+                     "Node whose map is saved, loaded and reset along; empty: there is none."}),
       numberParameter(layout.room_height_m, {-1000.0, 1000.0},
                       {"room_height_m", "m", "Room nodes float so high above their floor."}),
       numberParameter(layout.object_height_m, {-1000.0, 1000.0},

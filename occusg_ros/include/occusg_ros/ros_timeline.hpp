@@ -23,6 +23,17 @@ class RosTimeline {
     return last_s_;
   }
 
+  /// The newest time there was.
+  [[nodiscard]] double last() const { return last_s_; }
+
+  /// Goes on after `logical_s`, when that is later than the clock: for a session that was saved
+  /// under another clock.
+  void goOnAfter(double logical_s, double clock_s) {
+    last_s_ = std::max(last_s_, logical_s);
+    offset_s_ = std::max(offset_s_, last_s_ - clock_s);
+    last_clock_s_ = clock_s;
+  }
+
  private:
   static constexpr double kJump_s = 1.0;
   double last_clock_s_ = 0.0;

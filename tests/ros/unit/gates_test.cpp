@@ -62,6 +62,15 @@ TEST(RosTimeline, NeverGoesBackWhateverTheClockDoes) {
   EXPECT_DOUBLE_EQ(timeline.at(12.5), 53.5);
 }
 
+TEST(RosTimeline, GoesOnAfterASessionThatWasSavedUnderAnotherClock) {
+  RosTimeline timeline;
+  timeline.goOnAfter(1060.0, 1000.0);
+  EXPECT_DOUBLE_EQ(timeline.now(1001.0), 1061.0);
+  RosTimeline later;
+  later.goOnAfter(1060.0, 5000.0);
+  EXPECT_DOUBLE_EQ(later.now(5001.0), 5001.0);
+}
+
 TEST(PoseGate, Row5JumpIsHeldBackAndARelocalisationGoesThrough) {
   PoseGate gate({1.0, 0.79, 1.0, 3});
   EXPECT_EQ(gate.take(at(0.0), 0.0), PoseVerdict::kUsual);
