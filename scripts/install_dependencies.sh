@@ -27,10 +27,54 @@ python3-networkx    | reads scene_graph.graphml in a test
 # ROS 1 from Debian; on Ubuntu 20.04 it comes with Noetic in /opt/ros.
 if [ ! -d /opt/ros/noetic ]; then
   packages+="catkin              | makes the build a ROS 1 package
+ros-message-generation | messages and services
+ros-message-runtime | the same, when running
+ros-geometry-msgs   | definitions our messages use
+ros-nav-msgs        | definitions our messages use
+ros-sensor-msgs     | definitions our messages use
+ros-std-msgs        | definitions our messages use
+libdiagnostic-updater-dev | diagnostics of the nodes
+libdynamic-reconfigure-config-init-mutex-dev | parameters that change live
+libimage-transport-dev | images in
+libmessage-filters-dev | colour and depth that belong together
+libnodeletlib-dev   | nodelets
+libnodeletlib-tools | their manager
+librosbag-dev       | bags in and out
+libroscpp-dev       | the nodes
+libstd-srvs-dev     | services: reset, pause
+libtf2-ros-dev      | poses
+libvisualization-msgs-dev | markers for rviz
+pluginlib-dev       | nodelets
+python3-diagnostic-msgs | the tests read diagnostics
+python3-dynamic-reconfigure | parameters that change live
+python3-nav-msgs    | the tests send maps
+python3-nodelet     | the tests unload and load nodelets
+python3-numpy       | the tests make images
+python3-rosbag      | rosbag play
+python3-roslaunch   | roslaunch
+python3-rosmsg      | rosmsg show
+python3-rosnode     | rosnode list
+python3-rosparam    | rosparam
+python3-rospy       | the tests of the nodes
+python3-rosservice  | rosservice call
+python3-rostest     | the tests of the nodes
+librostest-dev      | the tests of the nodes
+python3-rostopic    | rostopic echo
+python3-std-srvs    | the tests call services
+python3-tf2-msgs    | the tests send poses
+python3-visualization-msgs | the tests read markers
+rosbash             | rosrun
+rosout              | roscore
+rviz                | the picture while it runs
+imagemagick         | screenshots of rviz
+libgl1-mesa-dri     | rviz without a graphics card
+xauth               | rviz without a screen
+xvfb                | rviz without a screen
 "
 fi
 if [ "${1:-}" = "--for-development" ]; then
-  packages+="clang-format        | checks the layout of the code
+  packages+="catkin-lint         | checks the ROS package
+clang-format        | checks the layout of the code
 clang-tidy          | checks the code
 gcovr               | measures what the tests cover
 libbenchmark-dev    | the benchmarks

@@ -47,11 +47,11 @@ std::vector<RoomLink> linksOf(const SceneGraph& graph) {
   return links;
 }
 
-std::string overviewPng(const Pipeline& pipeline, const RoomsFile& rooms) {
-  const SceneGraph& graph = pipeline.graph();
+std::string overviewPng(const Findings& findings, const RoomsFile& rooms) {
+  const SceneGraph& graph = findings.graph;
   return encodePng(
-      drawOverview(pipeline.freeSpace(), {rooms.scene, rooms.rooms, rooms.doors,
-                                          trajectoryOf(graph), objectsOf(graph), linksOf(graph)}));
+      drawOverview(findings.free_space, {rooms.scene, rooms.rooms, rooms.doors, trajectoryOf(graph),
+                                         objectsOf(graph), linksOf(graph)}));
 }
 
 }  // namespace
@@ -77,20 +77,29 @@ std::string timingJson(const StageTimes& times) {
   return json.str();
 }
 
-std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string& scene,
-                                    const StageTimes& times) {
-  const RoomsFile rooms = roomsOf(pipeline, scene);
-  const MapFiles map = toMapFiles(pipeline.freeSpace(), "free_space.pgm");
+std::vector<ResultFile> resultFiles(const Findings& findings, const StageTimes& times) {
+  const std::string& scene = findings.scene;
+  const RoomsFile rooms = roomsOf(findings.graph, scene, findings.floor_z_m);
+  const MapFiles map = toMapFiles(findings.free_space, "free_space.pgm");
   return {{"rooms.json", toJson(rooms)},
-          {"scene_graph.json", toJson(pipeline.graph(), scene)},
-          {"scene_graph.graphml", toGraphMl(pipeline.graph(), scene)},
-          {"scene_graph.dsg.json", toSparkDsg(pipeline.graph(), scene)},
+          {"scene_graph.json", toJson(findings.graph, scene)},
+          {"scene_graph.graphml", toGraphMl(findings.graph, scene)},
+          {"scene_graph.dsg.json", toSparkDsg(findings.graph, scene)},
           {"rooms.geojson", toGeoJson(rooms)},
           {"free_space.pgm", map.pgm},
           {"free_space.yaml", map.yaml},
-          {"map.ot", toOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull)},
-          {"overview.png", overviewPng(pipeline, rooms)},
+          {"overview.png", overviewPng(findings, rooms)},
           {"timing.json", timingJson(times)}};
+}
+
+std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string& scene,
+                                    const StageTimes& times) {
+  std::vector<ResultFile> files =
+      resultFiles({pipeline.freeSpace(), pipeline.graph(),
+                   pipeline.config().graph.rooms.floor_z_m, scene},
+                  times);
+  files.push_back({"map.ot", toOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull)});
+  return files;
 }
 
 }  // namespace occusg

@@ -41,8 +41,10 @@ class MapPipeline {
   [[nodiscard]] const OccupancyMap& occupancyMap() const { return occupancy_; }
   [[nodiscard]] const FreeSpace& freeSpace() const { return free_space_.freeSpace(); }
   [[nodiscard]] const MapCounts& counts() const { return counts_; }
-  /// Durations so far, and the memory each stage's result holds now.
+  /// Durations so far, and the memory each stage's result holds now; walks the results.
   [[nodiscard]] StageTimes times() const;
+  /// Durations so far.
+  [[nodiscard]] const StageTimes& durations() const { return times_; }
 
  private:
   DepthProjector projector_;

@@ -15,15 +15,26 @@ struct ResultFile {
   std::string bytes;
 };
 
+/// What a run has found, as its files show it.
+struct Findings {
+  const FreeSpace& free_space;
+  const SceneGraph& graph;
+  double floor_z_m = 0.0;
+  std::string scene;
+};
+
 /// The rooms the pipeline has now, with the doors between them.
 [[nodiscard]] RoomsFile roomsOf(const Pipeline& pipeline, const std::string& scene);
 
 /// `timing.json`: {stage: {count, mean_ms, std_ms, p50_ms, p95_ms, max_ms, memory_mib}}.
 [[nodiscard]] std::string timingJson(const StageTimes& times);
 
-/// Everything a run leaves behind: rooms, scene graph in our format and Spark-DSG's, GeoJSON, the
-/// free-space map as map_server reads it, the 3D map as OctoMap reads it, the overview picture, the
+/// Everything a run leaves behind but the 3D map: rooms, scene graph in our format, GraphML and
+/// Spark-DSG's, GeoJSON, the free-space map as map_server reads it, the overview picture, the
 /// timing.
+[[nodiscard]] std::vector<ResultFile> resultFiles(const Findings& findings,
+                                                  const StageTimes& times);
+/// The same and the 3D map as OctoMap reads it.
 [[nodiscard]] std::vector<ResultFile> resultFiles(const Pipeline& pipeline,
                                                   const std::string& scene,
                                                   const StageTimes& times);

@@ -73,8 +73,10 @@ class RoomPipeline {
   [[nodiscard]] std::optional<NodeId> currentRoom() const { return graph_.currentRoom(); }
   [[nodiscard]] std::optional<double> lastUpdate() const { return last_update_s_; }
   [[nodiscard]] RoomCounts counts() const;
-  /// Durations so far, and the memory each stage's result holds now.
+  /// Durations so far, and the memory each stage's result holds now; walks the results.
   [[nodiscard]] StageTimes times() const;
+  /// Durations so far.
+  [[nodiscard]] const StageTimes& durations() const { return times_; }
 
  private:
   std::unique_ptr<Decomposer> decomposer_;

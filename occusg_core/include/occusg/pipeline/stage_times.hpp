@@ -34,7 +34,7 @@ struct StageSummary {
 
 /// Durations of a stage that are kept, so that a pipeline that runs for days does not grow: the
 /// newest half of these at least.
-inline constexpr std::size_t kMaxKeptDurations = 200'000;
+inline constexpr std::size_t kMaxKeptDurations = 20'000;
 
 /// How long each stage took, and how much memory its result holds.
 class StageTimes {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <octomap/OcTree.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <std_msgs/Header.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "occusg/mapping/free_space.hpp"
+#include "occusg/regions/region.hpp"
+
+namespace occusg_ros {
+
+[[nodiscard]] nav_msgs::OccupancyGrid toGridMsg(const occusg::FreeSpace& layer,
+                                                const std_msgs::Header& header);
+
+/// The map in `grid` on cells aligned to multiples of its resolution: a grid that lies between them
+/// is moved by half a cell at most, a turned one is sampled at the cells' centres. All of it counts
+/// as changed.
+/// @param where opens every sentence; the topic.
+/// @throws occusg::Error, before anything is allocated, when resolution, size or origin cannot be
+/// used or the values are not -1..100.
+[[nodiscard]] occusg::FreeSpace toFreeSpace(const nav_msgs::OccupancyGrid& grid,
+                                            const std::string& where);
+
+/// Bounds of the cells that differ; cells only one layer has count as unknown in the other.
+[[nodiscard]] occusg::CellBox differingCells(const occusg::FreeSpace& before,
+                                             const occusg::FreeSpace& after);
+
+/// The region of every cell of `grid` as 32SC1, in the grid's order of rows; 0: none.
+[[nodiscard]] sensor_msgs::Image toLabelImage(const occusg::Decomposition& decomposition,
+                                              const nav_msgs::OccupancyGrid& grid);
+
+/// Voxels shown at most.
+inline constexpr std::size_t kMaxShownVoxels = 2'000'000;
+
+/// The centres of all occupied voxels of the finest size, x, y, z as floats; the first
+/// `kMaxShownVoxels` of them.
+[[nodiscard]] sensor_msgs::PointCloud2 occupiedVoxels(const octomap::OcTree& tree,
+                                                      const std_msgs::Header& header);
+
+/// The tree as `octomap_msgs/Octomap` carries it, binary: free, occupied, unknown. A template,
+/// because that package is not everywhere.
+template <typename OctomapMsg>
+[[nodiscard]] OctomapMsg toOctomapMsg(const octomap::OcTree& tree, const std_msgs::Header& header) {
+  OctomapMsg msg;
+  msg.header = header;
+  msg.binary = true;
+  msg.id = tree.getTreeType();
+  msg.resolution = tree.getResolution();
+  std::ostringstream stream;
+  tree.writeBinaryData(stream);
+  const std::string bytes = stream.str();
+  msg.data.assign(bytes.begin(), bytes.end());
+  return msg;
+}
+
+}  // namespace occusg_ros

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace occusg_ros {
+
+/// What nothing else is called.
+inline constexpr const char* kDefaultSaveName = "last";
+
+/// `name`, or "last" when it is empty. Any peer of a ROS network may call a service: it may choose
+/// a name inside the configured folder, never a path.
+/// @throws occusg::Error unless it is 1 to 64 letters, digits, '.', '_' or '-', the first no dot.
+[[nodiscard]] std::string checkedSaveName(const std::string& name);
+
+/// `folder` with a leading "~" replaced by the user's home; when empty, `occusg` in ROS_HOME or
+/// ~/.ros.
+/// @throws occusg::Error when it takes a home and there is none.
+[[nodiscard]] std::string expandedFolder(const std::string& folder);
+
+}  // namespace occusg_ros

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "mapping_node.hpp"
+
+namespace occusg_ros {
+namespace {
+
+constexpr double kOld_s = 5.0;
+constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
+
+}  // namespace
+
+void MappingNode::checkHealth() {
+  diagnostics_.force_update();
+  if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
+    ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
+                                     "with --clock");
+  }
+  const InputHealth::Counts counts = health_.counts();
+  if (counts.used > 0) return;
+  const std::string missing =
+      missing_input_.toSay({{"depth image", image_subscriber_.getTopic(), counts.received,
+                             image_subscriber_.getNumPublishers()},
+                            {"camera_info", info_subscriber_.getTopic(), infos_received_,
+                             info_subscriber_.getNumPublishers()}},
+                           counts.last_problem.empty() ? tfProblem() : counts.last_problem,
+                           steadySeconds() - started_s_);
+  if (!missing.empty()) ROS_WARN_STREAM(handles_.name << ": nothing is mapped: " << missing);
+}
+
+void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const InputHealth::Counts counts = health_.counts();
+  const double age_s = steadySeconds() - counts.last_used_s;
+  Status map;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    map = status_;
+  }
+  const double mebibytes = static_cast<double>(map.map_bytes) / kBytesPerMebibyte;
+  if (counts.received == 0) {
+    status.summary(Level::WARN, "no depth image yet");
+  } else if (counts.used == 0) {
+    status.summary(Level::ERROR, "no depth image could be used: " + counts.last_problem);
+  } else if (paused_) {
+    status.summary(Level::OK, "paused");
+  } else if (age_s > kOld_s) {
+    status.summary(Level::WARN, "no usable depth image for " + std::to_string(age_s) + " s");
+  } else if (mebibytes > settings_.soft_memory_mib) {
+    status.summary(Level::WARN, "the map is larger than soft_memory_mib");
+  } else {
+    status.summary(Level::OK, "mapping");
+  }
+  status.add("images received", counts.received);
+  status.add("images used", counts.used);
+  status.add("image rate [Hz]",
+             static_cast<double>(counts.received) / std::max(1.0, steadySeconds() - started_s_));
+  status.add("age of the last used image [s]", counts.used > 0 ? age_s : -1.0);
+  for (std::size_t i = 0; i < kDropCount; ++i)
+    status.add("dropped: " + nameOf(static_cast<Drop>(i)), counts.dropped[i]);
+  status.add("last problem", counts.last_problem);
+  status.add("lag of the map [s]", map.last_lag_s);
+  status.add("frame time p50 [ms]", map.frame_times.p50_ms);
+  status.add("frame time p95 [ms]", map.frame_times.p95_ms);
+  status.add("frame time max [ms]", map.frame_times.max_ms);
+  status.add("map nodes", map.map_nodes);
+  status.add("map memory [MiB]", mebibytes);
+  status.add("points outside the map", map.counts.points_outside_map);
+  status.add("frames outside the map", map.counts.frames_outside_map);
+  status.add("pixels: zero", map.counts.pixel_drops.zero);
+  status.add("pixels: NaN", map.counts.pixel_drops.nan);
+  status.add("pixels: infinite", map.counts.pixel_drops.infinite);
+  status.add("pixels: negative", map.counts.pixel_drops.negative);
+  status.add("last save", map.last_save);
+}
+
+}  // namespace occusg_ros

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping_node.hpp"
+
+#include <nav_msgs/OccupancyGrid.h>
+#ifdef OCCUSG_HAVE_OCTOMAP_MSGS
+#include <octomap_msgs/Octomap.h>
+#endif
+#include <sensor_msgs/PointCloud2.h>
+#include <std_msgs/String.h>
+
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <utility>
+
+#include "occusg/error.hpp"
+#include "occusg/pipeline/config_file.hpp"
+#include "occusg_ros/grid_conversions.hpp"
+#include "occusg_ros/image_conversions.hpp"
+#include "occusg_ros/saved_folder.hpp"
+
+namespace occusg_ros {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr double kIdle_s = 1.0;  // without a frame, the last layer goes out
+constexpr double kStampTolerance_s = 1e-6;
+constexpr double kFewValidPixels = 0.05;
+constexpr milliseconds kPoll{10};
+constexpr std::uint32_t kQueue = 10;
+
+MappingSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
+  MappingSettings settings;
+  config = readParameters(handles.parameters, parametersOf(settings));
+  return settings;
+}
+
+}  // namespace
+
+MappingNode::MappingNode(const NodeHandles& handles)
+    : handles_(handles),
+      settings_(settingsFrom(handles, config_)),
+      started_s_(steadySeconds()),
+      waiting_(static_cast<std::size_t>(settings_.queue_size)),
+      live_(settings_.live),
+      map_(std::make_unique<occusg::MapPipeline>(config_)),
+      pose_gate_(settings_.live.pose_gate),
+      tf_(ros::Duration(settings_.tf_cache_s)),
+      tf_listener_(tf_),
+      diagnostics_(handles.inputs, handles.parameters, handles.name) {
+  advertise();
+  resume();
+  worker_ = std::make_unique<Worker>(kPoll, [this] { return step(); });
+  subscribe();
+}
+
+MappingNode::~MappingNode() {
+  health_timer_.stop();
+  image_subscriber_.shutdown();
+  info_subscriber_.shutdown();
+  for (ros::ServiceServer& service : services_) service.shutdown();
+  reconfigure_.reset();
+  worker_.reset();
+  if (!settings_.save_on_exit || map_->counts().frames == 0) return;
+  try {
+    ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM(handles_.name << ": not saved: " << error.what());
+  }
+}
+
+void MappingNode::advertise() {
+  layer_publisher_ = handles_.inputs.advertise<nav_msgs::OccupancyGrid>("free_space", 1, true);
+  voxel_publisher_ = handles_.inputs.advertise<sensor_msgs::PointCloud2>("occupied_voxels", 1);
+#ifdef OCCUSG_HAVE_OCTOMAP_MSGS
+  octomap_publisher_ = handles_.inputs.advertise<octomap_msgs::Octomap>("octomap", 1);
+#endif
+  config_publisher_ = handles_.parameters.advertise<std_msgs::String>("config", 1, true);
+  std_msgs::String config;
+  config.data = occusg::toYaml(config_, occusg::ConfigComments::kNone);
+  config_publisher_.publish(config);
+
+  reconfigure_ =
+      std::make_unique<dynamic_reconfigure::Server<occusg::MappingLiveConfig>>(handles_.parameters);
+  reconfigure_->setCallback(
+      [this](occusg::MappingLiveConfig& live, std::uint32_t level) { onReconfigure(live, level); });
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("mapping", this, &MappingNode::describe);
+}
+
+void MappingNode::subscribe() {
+  ros::NodeHandle& own = handles_.parameter_services;
+  services_ = {own.advertiseService("reset", &MappingNode::onReset, this),
+               own.advertiseService("pause", &MappingNode::onPause, this),
+               own.advertiseService("save", &MappingNode::onSave, this),
+               own.advertiseService("load", &MappingNode::onLoad, this)};
+  info_subscriber_ =
+      handles_.inputs.subscribe("depth/camera_info", kQueue, &MappingNode::onInfo, this);
+  transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
+  image_subscriber_ = transport_->subscribe(
+      "depth/image_rect", kQueue, &MappingNode::onImage, this,
+      image_transport::TransportHints(settings_.image_transport, ros::TransportHints(),
+                                      handles_.parameters));
+  health_timer_ = handles_.inputs.createWallTimer(
+      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { checkHealth(); });
+}
+
+void MappingNode::drop(Drop reason, const std::string& sentence, std::size_t count) {
+  if (count == 0) return;
+  health_.noteDropped(reason, sentence, count);
+  if (!sentence.empty() && drop_warnings_.allows())
+    ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
+}
+
+void MappingNode::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
+  ++infos_received_;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    camera_ = toCameraModel(*info, info_subscriber_.getTopic());
+    camera_problem_.clear();
+  } catch (const occusg::Error& error) {
+    camera_.reset();
+    camera_problem_ = error.what();
+  }
+}
+
+void MappingNode::onImage(const sensor_msgs::ImageConstPtr& image) {
+  health_.noteReceived();
+  if (paused_) {
+    drop(Drop::kPaused, "");
+    return;
+  }
+  try {
+    (void)toDepthImage(*image, image_subscriber_.getTopic());
+  } catch (const occusg::Error& error) {
+    drop(Drop::kImage, error.what());
+    return;
+  }
+  StampGate::Result stamp;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stamp = stamps_.take(image->header.stamp.toSec(), ros::Time::now().toSec());
+  }
+  if (stamp.verdict == StampVerdict::kZero) drop(Drop::kStamp, "its stamp is zero");
+  if (stamp.verdict == StampVerdict::kFuture)
+    drop(Drop::kStamp, "its stamp is in the future; are the clocks synchronised?");
+  if (stamp.verdict == StampVerdict::kNotNewer)
+    drop(Drop::kStamp, "its stamp is not newer than the one before");
+  if (stamp.verdict == StampVerdict::kJumpedBack) onClockJump();
+  if (stamp.verdict != StampVerdict::kNewer && stamp.verdict != StampVerdict::kJumpedBack) return;
+
+  std::size_t pushed_out = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    pushed_out = waiting_.push({image, stamp.logical_s, steadySeconds()});
+  }
+  drop(Drop::kOverload, "", pushed_out);
+  worker_->wake();
+}
+
+void MappingNode::onClockJump() {
+  ROS_WARN_STREAM(
+      handles_.name << ": the clock jumped back; the map is "
+                    << (settings_.on_time_jump == OnTimeJump::kKeep ? "kept" : "reset"));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.clear();
+  }
+  // With simulated time the listener notices by itself, at the right moment.
+  if (!ros::Time::isSimTime()) tf_.clear();
+  worker_->post([this] {
+    pose_gate_.reset();
+    if (settings_.on_time_jump == OnTimeJump::kReset) resetMap();
+  });
+}
+
+void MappingNode::onReconfigure(occusg::MappingLiveConfig& live, std::uint32_t /*level*/) {
+  MappingLive changed;
+  changed.tf_timeout_s = live.tf_timeout_s;
+  changed.voxels_period_s = live.voxels_period_s;
+  changed.pose_gate.max_jump_m = live.max_pose_jump_m;
+  changed.pose_gate.max_jump_rad = live.max_pose_jump_rad;
+  changed.pose_gate.frames_to_accept = live.pose_jump_frames;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  live_ = changed;
+}
+
+MappingLive MappingNode::live() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return live_;
+}
+
+std::optional<occusg::CameraModel> MappingNode::camera() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return camera_;
+}
+
+std::string MappingNode::tfProblem() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return tf_problem_;
+}
+
+Worker::Progress MappingNode::step() {
+  dropLateImages();
+  PendingFrames<WaitingImage>::Taken taken = nextImage();
+  drop(Drop::kOverload, "", taken.skipped);
+  if (taken.frame) {
+    process(*taken.frame);
+    return Worker::Progress::kWorked;
+  }
+  publishLastLayer();
+  return Worker::Progress::kIdle;
+}
+
+PendingFrames<MappingNode::WaitingImage>::Taken MappingNode::nextImage() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!camera_) return {};
+  return waiting_.take(settings_.overload, [this](const WaitingImage& waiting) {
+    const std_msgs::Header& header = waiting.image->header;
+    const PoseAnswer answer = poseAt(tf_, settings_.map_frame, header.frame_id, header.stamp);
+    if (answer.kind != PoseAnswer::Kind::kFound) tf_problem_ = answer.problem;
+    return answer.kind != PoseAnswer::Kind::kNotYet;
+  });
+}
+
+void MappingNode::dropLateImages() {
+  std::size_t late = 0;
+  std::string why;
+  Drop reason = Drop::kNoTransform;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const double patience_s = live_.tf_timeout_s;
+    const double now_s = steadySeconds();
+    // In a queue, only the first waits for its transform; the others wait for their turn.
+    const bool in_turn = settings_.overload == Overload::kQueue;
+    bool first = true;
+    late = waiting_.dropLate([&](const WaitingImage& waiting) {
+      const bool is_late =
+          now_s - waiting.arrived_s > patience_s && (!in_turn || first) &&
+          (!camera_ || poseAt(tf_, settings_.map_frame, waiting.image->header.frame_id,
+                              waiting.image->header.stamp)
+                               .kind == PoseAnswer::Kind::kNotYet);
+      first = first && is_late;
+      return is_late;
+    });
+    if (!camera_) {
+      reason = Drop::kCameraInfo;
+      why = camera_problem_.empty() ? "no camera_info on " + info_subscriber_.getTopic()
+                                    : camera_problem_;
+    } else {
+      why = tf_problem_;
+    }
+  }
+  drop(reason, why, late);
+}
+
+void MappingNode::process(const WaitingImage& waiting) {
+  const std_msgs::Header& header = waiting.image->header;
+  const PoseAnswer answer = poseAt(tf_, settings_.map_frame, header.frame_id, header.stamp);
+  if (answer.kind != PoseAnswer::Kind::kFound) {
+    drop(answer.kind == PoseAnswer::Kind::kUnusable ? Drop::kBadTransform : Drop::kNoTransform,
+         answer.problem);
+    return;
+  }
+  pose_gate_.configure(live().pose_gate);
+  const PoseVerdict pose = pose_gate_.take(answer.T_target_source, waiting.logical_s);
+  if (pose == PoseVerdict::kJump) {
+    drop(Drop::kPoseJump, "its pose jumped");
+    return;
+  }
+  if (pose == PoseVerdict::kRelocalised)
+    ROS_WARN_STREAM(handles_.name << ": the robot was relocalised; the map goes on from there");
+  const std::optional<occusg::CameraModel> camera = this->camera();
+  if (!camera) return;
+  try {
+    const double start_s = steadySeconds();
+    const occusg::MapCounts before = map_->counts();
+    map_->process({waiting.logical_s, toDepthImage(*waiting.image, image_subscriber_.getTopic()),
+                   *camera, answer.T_target_source});
+    frame_times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
+    if (!reachedMap(before)) return;
+  } catch (const occusg::Error& error) {
+    drop(Drop::kMap, error.what());
+    return;
+  }
+  health_.noteUsed();
+  last_frame_s_ = steadySeconds();
+  unpublished_ = header;
+  unpublished_->frame_id = settings_.map_frame;
+  if (!last_layer_s_ ||
+      waiting.logical_s - *last_layer_s_ >= config_.region_period_s - kStampTolerance_s)
+    publishLayer(*unpublished_, waiting.logical_s);
+  if (last_frame_s_ - last_voxels_s_ > live().voxels_period_s) publishVoxels(*unpublished_);
+  noteStatus(last_frame_s_ - waiting.arrived_s);
+}
+
+bool MappingNode::reachedMap(const occusg::MapCounts& before) {
+  const occusg::MapCounts& now = map_->counts();
+  const auto points = static_cast<double>(now.points - before.points);
+  const auto drops = static_cast<double>(now.pixel_drops.total() - before.pixel_drops.total());
+  if (points < kFewValidPixels * (points + drops) && pixel_warnings_.allows())
+    ROS_WARN_STREAM(handles_.name << ": less than 5 % of the depth image is valid");
+  if (now.frames_without_memory > before.frames_without_memory) {
+    drop(Drop::kMap, "the map has reached mapping/occupancy/max_memory_mb; reset it or raise it");
+  } else if (now.frames_outside_map > before.frames_outside_map) {
+    drop(Drop::kMap, "the camera is farther away than the map reaches; choose a nearer origin");
+  } else if (now.frames_from_occupied > before.frames_from_occupied) {
+    drop(Drop::kMap, "the camera would be inside an obstacle; the pose or the map is wrong there");
+  } else if (now.frames_without_depth > before.frames_without_depth) {
+    drop(Drop::kMap, "not one pixel has a depth");
+  } else {
+    return true;
+  }
+  return false;
+}
+
+void MappingNode::publishLayer(const std_msgs::Header& header, double logical_s) {
+  layer_publisher_.publish(
+      boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(map_->freeSpace(), header)));
+  last_layer_s_ = logical_s;
+  unpublished_.reset();
+}
+
+// The layer follows logical time; the rest of a drive that has ended must not stay behind.
+void MappingNode::publishLastLayer() {
+  if (!unpublished_ || steadySeconds() - last_frame_s_ < kIdle_s) return;
+  const std_msgs::Header header = *unpublished_;
+  publishVoxels(header);
+  publishLayer(header, last_layer_s_.value_or(0.0));
+}
+
+void MappingNode::publishVoxels(const std_msgs::Header& header) {
+  last_voxels_s_ = steadySeconds();
+#ifdef OCCUSG_HAVE_OCTOMAP_MSGS
+  if (octomap_publisher_.getNumSubscribers() > 0) {
+    octomap_publisher_.publish(
+        toOctomapMsg<octomap_msgs::Octomap>(map_->occupancyMap().tree(), header));
+  }
+#endif
+  if (voxel_publisher_.getNumSubscribers() == 0) return;
+  voxel_publisher_.publish(boost::make_shared<sensor_msgs::PointCloud2>(
+      occupiedVoxels(map_->occupancyMap().tree(), header)));
+}
+
+void MappingNode::noteStatus(double lag_s) {
+  const double now_s = steadySeconds();
+  const bool with_times = now_s - last_status_s_ > 1.0;
+  occusg::StageSummary times;
+  if (with_times) {
+    times = frame_times_.summary(occusg::Stage::kTotal);
+    last_status_s_ = now_s;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_.counts = map_->counts();
+  status_.map_nodes = map_->occupancyMap().tree().size();
+  status_.map_bytes = map_->occupancyMap().memoryBytes();
+  status_.last_lag_s = lag_s;
+  if (with_times) status_.frame_times = times;
+}
+
+}  // namespace occusg_ros

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nav_msgs/OccupancyGrid.h>
+
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "mapping_node.hpp"
+#include "occusg/error.hpp"
+#include "occusg/io/map_files.hpp"
+#include "occusg/io/octomap_file.hpp"
+#include "occusg/io/output_folder.hpp"
+#include "occusg_ros/grid_conversions.hpp"
+#include "occusg_ros/saved_folder.hpp"
+
+namespace occusg_ros {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{30000};
+constexpr const char* kMapFile = "map.ot";
+
+}  // namespace
+
+void MappingNode::resetMap() {
+  map_ = std::make_unique<occusg::MapPipeline>(config_);
+  showNewMap();
+}
+
+// Whoever shows the layer must see that it is another one.
+void MappingNode::showNewMap() {
+  pose_gate_.reset();
+  last_layer_s_.reset();
+  unpublished_.reset();
+  noteStatus(0.0);
+  std_msgs::Header header;
+  header.stamp = ros::Time::now();
+  header.frame_id = settings_.map_frame;
+  layer_publisher_.publish(
+      boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(map_->freeSpace(), header)));
+}
+
+std::string MappingNode::folderOf(const std::string& name) const {
+  return expandedFolder(settings_.save_folder) + "/" + checkedSaveName(name);
+}
+
+std::string MappingNode::save(const std::string& name) {
+  const occusg::OutputFolder folder(folderOf(name));
+  folder.write(kMapFile,
+               occusg::toOctomap(map_->occupancyMap().tree(), occusg::OctomapEncoding::kFull));
+  const occusg::MapFiles map = occusg::toMapFiles(map_->freeSpace(), "free_space.pgm");
+  folder.write("free_space.pgm", map.pgm);
+  folder.write("free_space.yaml", map.yaml);
+  return folder.path();
+}
+
+void MappingNode::load(const std::string& name) {
+  // Into a fresh one: a file that cannot be used leaves the live map as it is.
+  auto loaded = std::make_unique<occusg::MapPipeline>(config_);
+  loaded->startFrom(occusg::readOctomap(folderOf(name) + "/" + kMapFile, config_.occupancy));
+  map_ = std::move(loaded);
+  showNewMap();
+}
+
+void MappingNode::resume() {
+  if (settings_.resume.empty()) return;
+  try {
+    load(settings_.resume);
+    ROS_INFO_STREAM(handles_.name << ": goes on from the map " << folderOf(settings_.resume));
+  } catch (const occusg::Error& error) {
+    ROS_WARN_STREAM(handles_.name << ": begins with an empty map: " << error.what());
+  }
+}
+
+bool MappingNode::onReset(std_srvs::Trigger::Request& /*request*/,
+                          std_srvs::Trigger::Response& response) {
+  if (!settings_.allow_reset) {
+    response.success = false;
+    response.message = "~allow_reset is false";
+    return true;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.clear();
+  }
+  response.success = worker_->run([this] { resetMap(); }, kPatience);
+  response.message = response.success ? "the map is empty" : "the map did not answer in time";
+  return true;
+}
+
+bool MappingNode::onPause(std_srvs::SetBool::Request& request,
+                          std_srvs::SetBool::Response& response) {
+  paused_ = request.data;
+  response.success = true;
+  response.message = request.data ? "paused" : "running";
+  return true;
+}
+
+bool MappingNode::onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Response& response) {
+  // Shared: the save may end after the patience has.
+  struct Outcome {
+    std::string folder;
+    std::string problem;
+  };
+  const auto outcome = std::make_shared<Outcome>();
+  const bool done = worker_->run(
+      [this, name = request.name, outcome] {
+        try {
+          outcome->folder = save(name);
+        } catch (const occusg::Error& error) {
+          outcome->problem = error.what();
+        }
+      },
+      kPatience);
+  const std::string problem = done ? outcome->problem : "the map did not answer in time";
+  response.success = problem.empty();
+  response.message = problem.empty() ? "saved" : problem;
+  if (problem.empty()) response.folder = outcome->folder;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_.last_save = problem.empty() ? response.folder : "failed: " + problem;
+  return true;
+}
+
+bool MappingNode::onLoad(occusg::LoadMap::Request& request, occusg::LoadMap::Response& response) {
+  const auto problem = std::make_shared<std::string>();
+  const bool done = worker_->run(
+      [this, name = request.name, problem] {
+        try {
+          load(name);
+        } catch (const occusg::Error& error) {
+          *problem = error.what();
+        }
+      },
+      kPatience);
+  response.success = done && problem->empty();
+  response.message = !done ? "the map did not answer in time" : *problem;
+  return true;
+}
+
+}  // namespace occusg_ros

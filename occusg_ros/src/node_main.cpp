@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A nodelet alone in a process of its own: `rosrun occusg mapping`.
+#include <nodelet/loader.h>
+#include <ros/ros.h>
+
+#include <string>
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, OCCUSG_NODELET);
+  // Several threads, so that a service that waits does not keep images waiting.
+  if (!ros::param::has("~num_worker_threads")) ros::param::set("~num_worker_threads", 4);
+  nodelet::Loader loader;
+  const nodelet::V_string arguments(argv + 1, argv + argc);
+  const bool loaded =
+      loader.load(ros::this_node::getName(), std::string("occusg/") + OCCUSG_NODELET,
+                  ros::names::getRemappings(), arguments);
+  if (!loaded) return 1;
+  ros::spin();
+  return 0;
+}

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Takes a bag through the pipeline as fast as it goes: the same files as `occusg run` leaves.
+#include <ros/time.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2/buffer_core.h>
+#include <tf2/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <boost/program_options.hpp>
+#include <deque>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "occusg/error.hpp"
+#include "occusg/io/output_folder.hpp"
+#include "occusg/pipeline/config_file.hpp"
+#include "occusg/pipeline/results.hpp"
+#include "occusg_ros/image_conversions.hpp"
+#include "occusg_ros/input_health.hpp"
+#include "occusg_ros/tf_poses.hpp"
+
+namespace {
+
+namespace po = boost::program_options;
+using occusg_ros::Drop;
+using occusg_ros::InputHealth;
+using occusg_ros::PoseAnswer;
+
+// Images that wait for the transform of their time; tf in a bag comes a little late at most.
+constexpr std::size_t kMaxWaiting = 100;
+constexpr double kTfCache_s = 60.0;
+
+struct Options {
+  std::string bag;
+  std::string output;
+  std::string config = "default";
+  std::string depth_topic;
+  std::string info_topic;
+  std::string map_frame = "map";
+};
+
+bool parse(int argc, char** argv, Options& options) {
+  po::options_description named(
+      "occusg_bag BAG -o OUT [options]\n\n"
+      "Takes the depth images of a bag through the whole pipeline, as fast as it goes, and\n"
+      "writes the files `occusg run` writes.\n\nOptions");
+  named.add_options()("help,h", "print this")("output,o", po::value(&options.output),
+                                              "folder for the results; created when missing")(
+      "config", po::value(&options.config), "'default', 'paper' or a YAML file")(
+      "depth", po::value(&options.depth_topic),
+      "topic of the depth images; needed when the bag has several")(
+      "info", po::value(&options.info_topic), "topic of their camera_info; else beside them")(
+      "map-frame", po::value(&options.map_frame), "frame of the map");
+  po::options_description all;
+  all.add(named).add_options()("bag", po::value(&options.bag));
+  po::positional_options_description positional;
+  positional.add("bag", 1);
+  po::variables_map values;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
+  po::notify(values);
+  if (values.count("help") > 0) {
+    std::cout << named << '\n';
+    return false;
+  }
+  if (options.bag.empty() || options.output.empty())
+    throw occusg::Error("name a bag and, with -o, a folder for the results; see --help");
+  return true;
+}
+
+/// The only topic of images that calls itself depth.
+std::string depthTopicOf(const rosbag::Bag& bag) {
+  std::vector<std::string> topics;
+  std::string list;
+  for (const rosbag::ConnectionInfo* connection : rosbag::View(bag).getConnections()) {
+    if (connection->datatype != "sensor_msgs/Image") continue;
+    list += (list.empty() ? "" : ", ") + connection->topic;
+    if (connection->topic.find("depth") != std::string::npos) topics.push_back(connection->topic);
+  }
+  if (topics.size() == 1) return topics.front();
+  throw occusg::refuse(bag.getFileName(),
+                       list.empty() ? "it has no images" : "its topics of images are " + list,
+                       "name the one with depth, as in --depth /camera/depth/image_rect");
+}
+
+/// The pipeline behind the messages of a bag.
+class BagRun {
+ public:
+  BagRun(const Options& options, occusg::Pipeline& pipeline)
+      : options_(options), pipeline_(pipeline), tf_(ros::Duration(kTfCache_s)) {}
+
+  void run(const rosbag::Bag& bag);
+  [[nodiscard]] InputHealth::Counts counts() const { return health_.counts(); }
+
+ private:
+  struct Waiting {
+    sensor_msgs::ImageConstPtr image;
+    occusg::CameraModel camera;
+  };
+
+  void take(const rosbag::MessageInstance& message);
+  void takeTransforms(const tf2_msgs::TFMessage& transforms, bool is_static);
+  void takeImage(const sensor_msgs::ImageConstPtr& image);
+  enum class Patience { kWait, kGiveUp };
+  void processWaiting(Patience patience);
+  void process(const Waiting& waiting, const occusg::Pose& pose);
+
+  const Options& options_;
+  occusg::Pipeline& pipeline_;
+  tf2::BufferCore tf_;
+  InputHealth health_;
+  std::optional<occusg::CameraModel> camera_;
+  std::string camera_problem_ = "no camera_info came before it";
+  std::deque<Waiting> waiting_;
+};
+
+void BagRun::run(const rosbag::Bag& bag) {
+  rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{
+                             "/tf", "/tf_static", options_.depth_topic, options_.info_topic}));
+  for (const rosbag::MessageInstance& message : view) {
+    take(message);
+    processWaiting(Patience::kWait);
+  }
+  processWaiting(Patience::kGiveUp);
+  pipeline_.finish();
+}
+
+void BagRun::take(const rosbag::MessageInstance& message) {
+  if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+    takeTransforms(*transforms, message.getTopic() == "/tf_static");
+  } else if (const auto info = message.instantiate<sensor_msgs::CameraInfo>()) {
+    try {
+      camera_ = occusg_ros::toCameraModel(*info, options_.info_topic);
+    } catch (const occusg::Error& error) {
+      camera_.reset();
+      camera_problem_ = error.what();
+    }
+  } else if (const auto image = message.instantiate<sensor_msgs::Image>()) {
+    takeImage(image);
+  }
+}
+
+void BagRun::takeTransforms(const tf2_msgs::TFMessage& transforms, bool is_static) {
+  for (const geometry_msgs::TransformStamped& transform : transforms.transforms) {
+    try {
+      tf_.setTransform(transform, "bag", is_static);
+    } catch (const tf2::TransformException& error) {
+      health_.noteDropped(Drop::kBadTransform, error.what());
+    }
+  }
+}
+
+void BagRun::takeImage(const sensor_msgs::ImageConstPtr& image) {
+  health_.noteReceived();
+  if (!camera_) {
+    health_.noteDropped(Drop::kCameraInfo, camera_problem_);
+    return;
+  }
+  waiting_.push_back({image, *camera_});
+}
+
+void BagRun::processWaiting(Patience patience) {
+  while (!waiting_.empty()) {
+    const std_msgs::Header& header = waiting_.front().image->header;
+    const PoseAnswer answer =
+        occusg_ros::poseAt(tf_, options_.map_frame, header.frame_id, header.stamp);
+    if (answer.kind == PoseAnswer::Kind::kFound) {
+      process(waiting_.front(), answer.T_target_source);
+    } else if (answer.kind == PoseAnswer::Kind::kNotYet && patience == Patience::kWait &&
+               waiting_.size() <= kMaxWaiting) {
+      return;
+    } else {
+      health_.noteDropped(Drop::kNoTransform, answer.problem);
+    }
+    waiting_.pop_front();
+  }
+}
+
+void BagRun::process(const Waiting& waiting, const occusg::Pose& pose) {
+  try {
+    pipeline_.process({waiting.image->header.stamp.toSec(),
+                       occusg_ros::toDepthImage(*waiting.image, options_.depth_topic),
+                       waiting.camera, pose});
+    health_.noteUsed();
+  } catch (const occusg::Error& error) {
+    health_.noteDropped(Drop::kImage, error.what());
+  }
+}
+
+void report(const InputHealth::Counts& counts, const occusg::Pipeline& pipeline,
+            const std::string& folder) {
+  std::cout << counts.used << " of " << counts.received << " images used, "
+            << pipeline.graph().nodes(occusg::NodeType::kRoom).size() << " rooms; results are in "
+            << folder << '\n';
+  for (std::size_t i = 0; i < occusg_ros::kDropCount; ++i) {
+    if (counts.dropped[i] > 0)
+      std::cerr << "  " << occusg_ros::nameOf(static_cast<Drop>(i)) << ": " << counts.dropped[i]
+                << '\n';
+  }
+  if (!counts.last_problem.empty())
+    std::cerr << "  the last problem: " << counts.last_problem << '\n';
+}
+
+int process(Options options) {
+  occusg::Pipeline pipeline(occusg::loadConfig(options.config));
+  rosbag::Bag bag(options.bag, rosbag::bagmode::Read);
+  if (options.depth_topic.empty()) options.depth_topic = depthTopicOf(bag);
+  if (options.info_topic.empty()) {
+    options.info_topic =
+        options.depth_topic.substr(0, options.depth_topic.rfind('/')) + "/camera_info";
+  }
+  const occusg::OutputFolder folder(options.output);
+  BagRun run(options, pipeline);
+  run.run(bag);
+  const std::string scene = std::filesystem::path(options.bag).stem().string();
+  for (const occusg::ResultFile& file : resultFiles(pipeline, scene, pipeline.times()))
+    folder.write(file.name, file.bytes);
+  const InputHealth::Counts counts = run.counts();
+  report(counts, pipeline, folder.path());
+  return 2 * counts.used >= counts.received && counts.used > 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    ros::Time::init();
+    Options options;
+    if (!parse(argc, argv, options)) return 0;
+    return process(options);
+  } catch (const std::exception& error) {
+    std::cerr << "occusg_bag: " << error.what() << '\n';
+    return 1;
+  }
+}

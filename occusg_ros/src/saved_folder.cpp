@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg_ros/saved_folder.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+#include "occusg/error.hpp"
+
+namespace occusg_ros {
+namespace {
+
+constexpr std::size_t kMaxNameLength = 64;
+
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+bool isPlain(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
+}
+
+}  // namespace
+
+std::string checkedSaveName(const std::string& name) {
+  if (name.empty()) return kDefaultSaveName;
+  if (name.size() > kMaxNameLength || name.front() == '.' ||
+      !std::all_of(name.begin(), name.end(), isPlain)) {
+    throw occusg::refuse("name", "'" + name.substr(0, kMaxNameLength) + "' is not a plain name",
+                         "use up to 64 letters, digits, '.', '_' and '-', no dot first");
+  }
+  return name;
+}
+
+std::string expandedFolder(const std::string& folder) {
+  if (folder.empty()) {
+    const std::string ros_home = environment("ROS_HOME");
+    return ros_home.empty() ? expandedFolder("~/.ros/occusg") : ros_home + "/occusg";
+  }
+  if (folder.front() != '~') return folder;
+  const std::string home = environment("HOME");
+  if (home.empty())
+    throw occusg::refuse("save_folder", "'" + folder + "' needs HOME, which is not set",
+                         "give an absolute path");
+  return home + folder.substr(1);
+}
+
+}  // namespace occusg_ros

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene_graph_node.hpp"
+
+namespace occusg_ros {
+void SceneGraphNode::checkHealth() {
+  diagnostics_.force_update();
+  if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
+    ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
+                                     "with --clock");
+  }
+  const InputHealth::Counts counts = health_.counts();
+  if (counts.used > 0) return;
+  std::string problem = counts.last_problem;
+  if (problem.empty()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    problem = pose_problem_;
+  }
+  const std::string missing =
+      missing_input_.toSay({{"free space", grid_subscriber_.getTopic(), counts.received,
+                             grid_subscriber_.getNumPublishers()}},
+                           problem, steadySeconds() - started_s_);
+  if (!missing.empty()) ROS_WARN_STREAM(handles_.name << ": there is no scene graph: " << missing);
+}
+
+void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const InputHealth::Counts counts = health_.counts();
+  Status graph;
+  std::size_t detections = 0;
+  std::size_t refused_detections = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    graph = status_;
+    detections = detections_received_;
+    refused_detections = detections_refused_;
+  }
+  if (counts.received == 0) {
+    status.summary(Level::WARN, "no free space yet");
+  } else if (counts.used == 0) {
+    status.summary(Level::ERROR, "no free space could be used: " + counts.last_problem);
+  } else {
+    status.summary(Level::OK, paused_ ? "paused" : std::to_string(graph.rooms) + " rooms");
+  }
+  status.add("maps received", counts.received);
+  status.add("maps used", counts.used);
+  status.add("age of the last used map [s]",
+             counts.used > 0 ? steadySeconds() - counts.last_used_s : -1.0);
+  for (const Drop drop : {Drop::kImage, Drop::kOverload, Drop::kMap, Drop::kPaused})
+    status.add("dropped: " + nameOf(drop), counts.of(drop));
+  status.add("last problem", counts.last_problem);
+  status.add("region updates", graph.counts.region_updates);
+  status.add("region updates rejected", graph.counts.rejected_region_updates);
+  status.add("rooms", graph.rooms);
+  status.add("nodes", graph.nodes);
+  status.add("edges", graph.edges);
+  status.add("detections received", detections);
+  status.add("detections refused", refused_detections);
+  for (const auto& [stage, times] : graph.times) {
+    status.add(stage + " p50 [ms]", times.p50_ms);
+    status.add(stage + " p95 [ms]", times.p95_ms);
+    status.add(stage + " max [ms]", times.max_ms);
+  }
+  status.add("last save", graph.last_save);
+}
+
+}  // namespace occusg_ros

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene_graph_node.hpp"
+
+#include <std_msgs/String.h>
+
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <utility>
+
+#include "occusg/error.hpp"
+#include "occusg/pipeline/config_file.hpp"
+#include "occusg_ros/graph_conversions.hpp"
+#include "occusg_ros/grid_conversions.hpp"
+#include "occusg_ros/pose_conversions.hpp"
+#include "occusg_ros/saved_folder.hpp"
+
+namespace occusg_ros {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPoll{10};
+constexpr std::uint32_t kQueue = 10;
+constexpr std::uint32_t kUpdateQueue = 100;
+constexpr double kTick_s = 0.1;
+
+SceneGraphSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
+  SceneGraphSettings settings;
+  config = readParameters(handles.parameters, parametersOf(settings));
+  return settings;
+}
+
+}  // namespace
+
+SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
+    : handles_(handles),
+      settings_(settingsFrom(handles, config_)),
+      started_s_(steadySeconds()),
+      last_graph_(boost::make_shared<occusg::SceneGraphStamped>()),
+      layout_(settings_.layout),
+      rooms_(std::make_unique<occusg::RoomPipeline>(config_)),
+      tf_(ros::Duration(settings_.tf_cache_s)),
+      tf_listener_(tf_),
+      diagnostics_(handles.inputs, handles.parameters, handles.name) {
+  layer_.frame.resolution_m = config_.occupancy.resolution_m;
+  advertiseTopics();
+  resume();
+  worker_ = std::make_unique<Worker>(kPoll, [this] { return step(); });
+  advertiseServices();
+  subscribe();
+}
+
+SceneGraphNode::~SceneGraphNode() {
+  health_timer_.stop();
+  tick_timer_.stop();
+  grid_subscriber_.shutdown();
+  odometry_subscriber_.shutdown();
+  detections_subscriber_.shutdown();
+  for (ros::ServiceServer& service : services_) service.shutdown();
+  reconfigure_.reset();
+  worker_.reset();
+  marker_publisher_.shutdown();
+  if (!settings_.save_on_exit || !rooms_->lastUpdate()) return;
+  try {
+    ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM(handles_.name << ": not saved: " << error.what());
+  }
+}
+
+void SceneGraphNode::advertiseTopics() {
+  ros::NodeHandle& nh = handles_.inputs;
+  regions_publisher_ = nh.advertise<occusg::RegionArray>("regions", 1, true);
+  rooms_publisher_ = nh.advertise<occusg::RoomArray>("rooms", 1, true);
+  graph_publisher_ = nh.advertise<occusg::SceneGraphStamped>("scene_graph", 1, true);
+  update_publisher_ = nh.advertise<occusg::SceneGraphUpdate>("scene_graph_updates", kUpdateQueue);
+  current_room_publisher_ = nh.advertise<occusg::CurrentRoom>("current_room", 1, true);
+  marker_publisher_ = nh.advertise<visualization_msgs::MarkerArray>(
+      "markers", kUpdateQueue,
+      [this](const ros::SingleSubscriberPublisher& subscriber) { onMarkerSubscriber(subscriber); });
+  config_publisher_ = handles_.parameters.advertise<std_msgs::String>("config", 1, true);
+  std_msgs::String config;
+  config.data = occusg::toYaml(config_, occusg::ConfigComments::kNone);
+  config_publisher_.publish(config);
+
+  reconfigure_ = std::make_unique<dynamic_reconfigure::Server<occusg::SceneGraphLiveConfig>>(
+      handles_.parameters);
+  reconfigure_->setCallback([this](occusg::SceneGraphLiveConfig& live, std::uint32_t level) {
+    onReconfigure(live, level);
+  });
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("scene graph", this, &SceneGraphNode::describe);
+}
+
+void SceneGraphNode::subscribe() {
+  ros::NodeHandle& nh = handles_.inputs;
+  grid_subscriber_ = nh.subscribe("free_space", kQueue, &SceneGraphNode::onGrid, this);
+  detections_subscriber_ = nh.subscribe("detections", kQueue, &SceneGraphNode::onDetections, this);
+  if (settings_.pose_source == PoseSource::kOdometry)
+    odometry_subscriber_ = nh.subscribe("odom", kQueue, &SceneGraphNode::onOdometry, this);
+  // Timers of the wall clock that look at the clock of ROS: it may jump back, which would stop a
+  // timer of its own for as long as it jumped.
+  tick_timer_ = nh.createWallTimer(ros::WallDuration(kTick_s),
+                                   [this](const ros::WallTimerEvent&) { tick(); });
+  health_timer_ = nh.createWallTimer(ros::WallDuration(1.0),
+                                     [this](const ros::WallTimerEvent&) { checkHealth(); });
+}
+
+void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
+  health_.noteReceived();
+  if (paused_) {
+    health_.noteDropped(Drop::kPaused, "");
+    return;
+  }
+  const std::string& frame = grid->header.frame_id;
+  if (frame != settings_.map_frame) {
+    const std::string problem = grid_subscriber_.getTopic() + ": its frame is '" + frame +
+                                "'; ~map_frame is '" + settings_.map_frame + "'";
+    health_.noteDropped(Drop::kImage, problem);
+    if (map_warnings_.allows()) ROS_WARN_STREAM(handles_.name << ": map not used: " << problem);
+    return;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (waiting_) health_.noteDropped(Drop::kOverload, "");
+    waiting_ = WaitingGrid{grid, steadySeconds()};
+  }
+  worker_->wake();
+}
+
+void SceneGraphNode::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  odometry_ = odometry;
+}
+
+void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detections) {
+  ReceivedDetections received = toDetections(*detections);
+  const std::string& frame = detections->header.frame_id;
+  if (frame != settings_.map_frame) {
+    received = {{},
+                detections->detections.size(),
+                "their frame is '" + frame + "'; ~map_frame is '" + settings_.map_frame + "'"};
+  }
+  if (received.refused > 0 && detection_warnings_.allows()) {
+    ROS_WARN_STREAM(handles_.name << ": " << received.refused
+                                  << " detections refused: " << received.first_refusal);
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    detections_received_ += detections->detections.size();
+    detections_refused_ += received.refused;
+  }
+  if (paused_ || received.detections.empty()) return;
+  worker_->post(
+      [this, found = std::move(received.detections), stamp_s = detections->header.stamp.toSec()] {
+        try {
+          rooms_->observeObjects(found, timeline_.at(stamp_s));
+        } catch (const occusg::Error& error) {
+          if (detection_warnings_.allows())
+            ROS_WARN_STREAM(handles_.name << ": detections not used: " << error.what());
+        }
+      });
+}
+
+void SceneGraphNode::onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint32_t /*level*/) {
+  MarkerLayout layout;
+  layout.room_height_m = live.room_height_m;
+  layout.object_height_m = live.object_height_m;
+  layout.navigation_height_m = live.navigation_height_m;
+  layout.room_opacity = live.room_opacity;
+  layout.show_regions = live.show_regions;
+  layout.show_containment = live.show_containment;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    layout_ = layout;
+  }
+  // The first call comes before there is a worker.
+  if (worker_) worker_->post([this] { publishMarkers(lastGraph()->header); });
+}
+
+void SceneGraphNode::onMarkerSubscriber(const ros::SingleSubscriberPublisher& subscriber) {
+  // Under the lock, so that no change overtakes the whole.
+  const std::lock_guard<std::mutex> lock(markers_mutex_);
+  if (!shown_.empty()) subscriber.publish(allMarkers(shown_));
+}
+
+void SceneGraphNode::tick() {
+  if (paused_ || tick_is_posted_.exchange(true)) return;
+  worker_->post([this] {
+    tick_is_posted_ = false;
+    followRobot();
+  });
+}
+
+Worker::Progress SceneGraphNode::step() {
+  std::optional<WaitingGrid> waiting;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting = waiting_;
+  }
+  if (!waiting) return Worker::Progress::kIdle;
+  const std::optional<occusg::Pose> pose = poseFor(*waiting);
+  if (!pose) return Worker::Progress::kIdle;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (waiting_ && waiting_->grid == waiting->grid) waiting_.reset();
+  }
+  try {
+    update(*waiting->grid, *pose);
+    health_.noteUsed();
+  } catch (const occusg::Error& error) {
+    health_.noteDropped(Drop::kMap, error.what());
+    if (map_warnings_.allows())
+      ROS_WARN_STREAM(handles_.name << ": map not used: " << error.what());
+  }
+  return Worker::Progress::kWorked;
+}
+
+PoseAnswer SceneGraphNode::robotPose(const ros::Time& stamp) const {
+  if (settings_.pose_source == PoseSource::kTf)
+    return poseAt(tf_, settings_.map_frame, settings_.robot_frame, stamp);
+  nav_msgs::OdometryConstPtr odometry;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    odometry = odometry_;
+  }
+  PoseAnswer answer;
+  if (!odometry) {
+    answer.problem = "no odometry on " + odometry_subscriber_.getTopic();
+    return answer;
+  }
+  try {
+    const occusg::Pose T_odom_robot = toPose(odometry->pose.pose, odometry_subscriber_.getTopic());
+    if (odometry->header.frame_id != settings_.map_frame) {
+      answer = poseAt(tf_, settings_.map_frame, odometry->header.frame_id, ros::Time());
+      if (answer.kind != PoseAnswer::Kind::kFound) return answer;
+    }
+    answer.kind = PoseAnswer::Kind::kFound;
+    answer.T_target_source = answer.T_target_source * T_odom_robot;
+  } catch (const occusg::Error& error) {
+    answer.kind = PoseAnswer::Kind::kUnusable;
+    answer.problem = error.what();
+  }
+  return answer;
+}
+
+// The pose at the time of the map; after the timeout, or when the map is older than tf remembers,
+// as a finished map is, the newest pose there is.
+std::optional<occusg::Pose> SceneGraphNode::poseFor(const WaitingGrid& waiting) {
+  PoseAnswer answer = robotPose(waiting.grid->header.stamp);
+  const bool may_come = answer.kind == PoseAnswer::Kind::kNotYet &&
+                        steadySeconds() - waiting.arrived_s < settings_.tf_timeout_s;
+  if (answer.kind != PoseAnswer::Kind::kFound && !may_come) answer = robotPose(ros::Time());
+  if (answer.kind == PoseAnswer::Kind::kFound) return answer.T_target_source;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pose_problem_ = answer.problem;
+  return std::nullopt;
+}
+
+void SceneGraphNode::update(const nav_msgs::OccupancyGrid& grid, const occusg::Pose& pose) {
+  occusg::FreeSpace layer = toFreeSpace(grid, grid_subscriber_.getTopic());
+  const bool is_comparable = layer.frame.resolution_m == layer_.frame.resolution_m;
+  const occusg::CellBox changed = is_comparable ? differingCells(layer_, layer)
+                                                : layer.cells.box().including(layer_.cells.box());
+  layer.changed = changed;
+  layer_ = std::move(layer);
+  last_pose_ = pose;
+  rooms_->update(layer_, changed, pose, timeline_.at(grid.header.stamp.toSec()));
+  publish(grid.header);
+  noteStatus();
+}
+
+void SceneGraphNode::followRobot() {
+  const ros::Time now = ros::Time::now();
+  if (now.isZero()) return;
+  const double logical_s = timeline_.now(now.toSec());
+  const PoseAnswer pose = robotPose(ros::Time());
+  if (pose.kind != PoseAnswer::Kind::kFound || !rooms_->lastUpdate()) return;
+  const bool is_due = !last_maintenance_s_ ||
+                      logical_s - *last_maintenance_s_ >= config_.graph.maintenance_period_s;
+  if (!is_due) {
+    rooms_->observePose(pose.T_target_source, logical_s);
+    return;
+  }
+  last_maintenance_s_ = logical_s;
+  rooms_->maintain(pose.T_target_source, logical_s);
+  std_msgs::Header header;
+  header.stamp = now;
+  header.frame_id = settings_.map_frame;
+  publish(header);
+  noteStatus();
+}
+
+void SceneGraphNode::publish(const std_msgs::Header& header) {
+  const GraphPtr before = lastGraph();
+  GraphView view{rooms_->graph(), rooms_->currentRoom(), settings_.scene, sequence_ + 1, header};
+  const auto after = boost::make_shared<occusg::SceneGraphStamped>(toGraphMsg(view));
+  const auto change = boost::make_shared<occusg::SceneGraphUpdate>(difference(*before, *after));
+  regions_publisher_.publish(boost::make_shared<occusg::RegionArray>(
+      toRegionArray(rooms_->regions(), rooms_->counts().region_updates, header)));
+  if (sequence_ > 0 && isEmpty(*change)) return;
+  ++sequence_;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_graph_ = after;
+  }
+  graph_publisher_.publish(after);
+  update_publisher_.publish(change);
+  rooms_publisher_.publish(boost::make_shared<occusg::RoomArray>(toRoomArray(view)));
+  if (before->current_room != after->current_room || sequence_ == 1)
+    current_room_publisher_.publish(boost::make_shared<occusg::CurrentRoom>(toCurrentRoom(view)));
+  publishMarkers(header);
+}
+
+void SceneGraphNode::publishMarkers(const std_msgs::Header& header) {
+  MarkerLayout layout;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    layout = layout_;
+  }
+  std_msgs::Header in_map = header;
+  in_map.frame_id = settings_.map_frame;
+  MarkerSet wanted = drawGraph(rooms_->graph(), rooms_->regions(), layout, in_map);
+  const std::lock_guard<std::mutex> lock(markers_mutex_);
+  const visualization_msgs::MarkerArray changes = markerChanges(shown_, wanted);
+  shown_ = std::move(wanted);
+  if (!changes.markers.empty()) marker_publisher_.publish(changes);
+}
+
+void SceneGraphNode::noteStatus() {
+  using occusg::NodeType;
+  std::vector<std::pair<std::string, occusg::StageSummary>> times;
+  const double now_s = steadySeconds();
+  if (now_s - last_status_s_ > 1.0) {
+    for (const occusg::Stage stage :
+         {occusg::Stage::kDecomposition, occusg::Stage::kTracking, occusg::Stage::kGraph})
+      times.emplace_back(nameOf(stage), rooms_->durations().summary(stage));
+    last_status_s_ = now_s;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_.counts = rooms_->counts();
+  status_.rooms = rooms_->graph().nodes(NodeType::kRoom).size();
+  status_.nodes = rooms_->graph().nodeCount();
+  status_.edges = rooms_->graph().edgeCount();
+  if (!times.empty()) status_.times = std::move(times);
+}
+
+SceneGraphNode::GraphPtr SceneGraphNode::lastGraph() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_graph_;
+}
+
+}  // namespace occusg_ros

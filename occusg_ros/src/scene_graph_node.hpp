@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <dynamic_reconfigure/server.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Odometry.h>
+#include <occusg/DetectionArray.h>
+#include <occusg/GetPath.h>
+#include <occusg/GetRoomAt.h>
+#include <occusg/GetSceneGraph.h>
+#include <occusg/ListRooms.h>
+#include <occusg/LoadMap.h>
+#include <occusg/SaveMap.h>
+#include <occusg/SceneGraphLiveConfig.h>
+#include <occusg/SceneGraphStamped.h>
+#include <occusg/SegmentMap.h>
+#include <occusg/SetRoomLabel.h>
+#include <ros/ros.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "node_handles.hpp"
+#include "occusg/pipeline/room_pipeline.hpp"
+#include "occusg_ros/input_health.hpp"
+#include "occusg_ros/markers.hpp"
+#include "occusg_ros/ros_timeline.hpp"
+#include "occusg_ros/tf_poses.hpp"
+#include "occusg_ros/throttle.hpp"
+#include "occusg_ros/worker.hpp"
+#include "scene_graph_settings.hpp"
+
+namespace occusg_ros {
+
+/// Free space and the robot's pose -> regions, rooms, scene graph. Callbacks only put things down;
+/// the graph belongs to the worker's thread. Services that only read use the last published
+/// message.
+class SceneGraphNode {
+ public:
+  /// @throws occusg::Error when a parameter cannot be used.
+  explicit SceneGraphNode(const NodeHandles& handles);
+  SceneGraphNode(const SceneGraphNode&) = delete;
+  SceneGraphNode& operator=(const SceneGraphNode&) = delete;
+  /// Within a second or so; what was found is saved.
+  ~SceneGraphNode();
+
+ private:
+  struct WaitingGrid {
+    nav_msgs::OccupancyGridConstPtr grid;
+    double arrived_s = 0.0;  ///< Steady clock [s].
+  };
+  /// What the diagnostics show; a copy, so that they wait for no update.
+  struct Status {
+    occusg::RoomCounts counts;
+    std::vector<std::pair<std::string, occusg::StageSummary>> times;
+    std::size_t rooms = 0;
+    std::size_t nodes = 0;
+    std::size_t edges = 0;
+    std::string last_save = "never";
+  };
+  using GraphPtr = boost::shared_ptr<const occusg::SceneGraphStamped>;
+
+  void advertiseTopics();
+  void advertiseServices();
+  void subscribe();
+
+  void onGrid(const nav_msgs::OccupancyGridConstPtr& grid);
+  void onOdometry(const nav_msgs::OdometryConstPtr& odometry);
+  void onDetections(const occusg::DetectionArrayConstPtr& detections);
+  void onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint32_t level);
+  void onMarkerSubscriber(const ros::SingleSubscriberPublisher& subscriber);
+  void tick();
+  void checkHealth();
+  void describe(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  // On the worker's thread.
+  Worker::Progress step();
+  [[nodiscard]] PoseAnswer robotPose(const ros::Time& stamp) const;
+  [[nodiscard]] std::optional<occusg::Pose> poseFor(const WaitingGrid& waiting);
+  void update(const nav_msgs::OccupancyGrid& grid, const occusg::Pose& pose);
+  void followRobot();
+  void publish(const std_msgs::Header& header);
+  void publishMarkers(const std_msgs::Header& header);
+  void noteStatus();
+  void resetGraph();
+  [[nodiscard]] std::string save(const std::string& name);
+  void load(const std::string& name);
+  void resume();
+  [[nodiscard]] std::string folderOf(const std::string& name) const;
+
+  bool onGetSceneGraph(occusg::GetSceneGraph::Request& request,
+                       occusg::GetSceneGraph::Response& response);
+  bool onListRooms(occusg::ListRooms::Request& request, occusg::ListRooms::Response& response);
+  bool onGetRoomAt(occusg::GetRoomAt::Request& request, occusg::GetRoomAt::Response& response);
+  bool onGetPath(occusg::GetPath::Request& request, occusg::GetPath::Response& response);
+  bool onSetRoomLabel(occusg::SetRoomLabel::Request& request,
+                      occusg::SetRoomLabel::Response& response);
+  bool onSegmentMap(occusg::SegmentMap::Request& request, occusg::SegmentMap::Response& response);
+  bool onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Response& response);
+  bool onLoad(occusg::LoadMap::Request& request, occusg::LoadMap::Response& response);
+  bool onReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+
+  /// Runs `work` on the worker's thread; the sentence of what went wrong, empty when nothing did.
+  [[nodiscard]] std::string onWorker(const std::function<void()>& work);
+  [[nodiscard]] GraphPtr lastGraph() const;
+  /// Asks the same of the node that maps; the sentence of what went wrong, empty when nothing did
+  /// or there is no such node.
+  template <typename Service>
+  [[nodiscard]] std::string askMapping(const std::string& service,
+                                       const typename Service::Request& request) const;
+
+  NodeHandles handles_;
+  SceneGraphSettings settings_;
+  occusg::PipelineConfig config_;
+  InputHealth health_;
+  std::atomic<bool> paused_{false};
+  std::atomic<bool> tick_is_posted_{false};
+  double started_s_;
+  MissingInputReport missing_input_;
+  Throttle map_warnings_{kWarningPeriod_s};
+  Throttle clock_warnings_{kWarningPeriod_s};
+  Throttle detection_warnings_{kWarningPeriod_s};
+
+  mutable std::mutex mutex_;  ///< Of the members up to `status_`.
+  std::optional<WaitingGrid> waiting_;
+  nav_msgs::OdometryConstPtr odometry_;
+  std::string pose_problem_;
+  GraphPtr last_graph_;
+  MarkerLayout layout_;
+  std::size_t detections_received_ = 0;
+  std::size_t detections_refused_ = 0;
+  Status status_;
+
+  std::mutex markers_mutex_;  ///< Of `shown_` and of what is sent of it.
+  MarkerSet shown_;
+
+  // The worker's own.
+  std::unique_ptr<occusg::RoomPipeline> rooms_;
+  occusg::FreeSpace layer_;
+  RosTimeline timeline_;
+  std::uint64_t sequence_ = 0;
+  std::optional<double> last_maintenance_s_;
+  occusg::Pose last_pose_ = occusg::Pose::Identity();
+  double last_status_s_ = 0.0;  ///< Steady clock [s].
+
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  ros::Publisher regions_publisher_;
+  ros::Publisher rooms_publisher_;
+  ros::Publisher graph_publisher_;
+  ros::Publisher update_publisher_;
+  ros::Publisher current_room_publisher_;
+  ros::Publisher marker_publisher_;
+  ros::Publisher config_publisher_;
+  std::unique_ptr<Worker> worker_;
+  diagnostic_updater::Updater diagnostics_;
+  std::unique_ptr<dynamic_reconfigure::Server<occusg::SceneGraphLiveConfig>> reconfigure_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Subscriber grid_subscriber_;
+  ros::Subscriber odometry_subscriber_;
+  ros::Subscriber detections_subscriber_;
+  ros::WallTimer tick_timer_;
+  ros::WallTimer health_timer_;
+};
+
+}  // namespace occusg_ros

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "occusg/error.hpp"
+#include "scene_graph_node.hpp"
+
+namespace occusg_ros {
+
+class SceneGraphNodelet : public nodelet::Nodelet {
+ private:
+  void onInit() override {
+    try {
+      node_ = std::make_unique<SceneGraphNode>(NodeHandles{getNodeHandle(), getMTNodeHandle(),
+                                                           getPrivateNodeHandle(),
+                                                           getMTPrivateNodeHandle(), getName()});
+    } catch (const occusg::Error& error) {
+      NODELET_FATAL_STREAM(getName() << " does not start: " << error.what());
+    }
+  }
+
+  std::unique_ptr<SceneGraphNode> node_;
+};
+
+}  // namespace occusg_ros
+
+PLUGINLIB_EXPORT_CLASS(occusg_ros::SceneGraphNodelet, nodelet::Nodelet)

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "occusg/error.hpp"
+#include "occusg/pipeline/config_file.hpp"
+#include "occusg_ros/graph_conversions.hpp"
+#include "occusg_ros/grid_conversions.hpp"
+#include "occusg_ros/room_path.hpp"
+#include "scene_graph_node.hpp"
+
+namespace occusg_ros {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{30000};
+constexpr std::size_t kMaxLabelLength = 64;
+
+bool isPrintable(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return std::isprint(static_cast<unsigned char>(c)) != 0; });
+}
+
+template <typename Response>
+bool answer(Response& response, const std::string& problem, const std::string& success) {
+  response.success = problem.empty();
+  response.message = problem.empty() ? success : problem;
+  return true;
+}
+
+}  // namespace
+
+void SceneGraphNode::advertiseServices() {
+  ros::NodeHandle& nh = handles_.services;
+  ros::NodeHandle& own = handles_.parameter_services;
+  services_ = {nh.advertiseService("get_scene_graph", &SceneGraphNode::onGetSceneGraph, this),
+               nh.advertiseService("list_rooms", &SceneGraphNode::onListRooms, this),
+               nh.advertiseService("get_room_at", &SceneGraphNode::onGetRoomAt, this),
+               nh.advertiseService("get_path", &SceneGraphNode::onGetPath, this),
+               nh.advertiseService("set_room_label", &SceneGraphNode::onSetRoomLabel, this),
+               nh.advertiseService("segment_map", &SceneGraphNode::onSegmentMap, this),
+               own.advertiseService("save", &SceneGraphNode::onSave, this),
+               own.advertiseService("load", &SceneGraphNode::onLoad, this),
+               own.advertiseService("reset", &SceneGraphNode::onReset, this),
+               own.advertiseService("pause", &SceneGraphNode::onPause, this)};
+}
+
+std::string SceneGraphNode::onWorker(const std::function<void()>& work) {
+  // Shared: the work may end after the patience has.
+  const auto problem = std::make_shared<std::string>();
+  const bool done = worker_->run(
+      [work, problem] {
+        try {
+          work();
+        } catch (const occusg::Error& error) {
+          *problem = error.what();
+        }
+      },
+      kPatience);
+  return done ? *problem : "the scene graph did not answer in time";
+}
+
+bool SceneGraphNode::onGetSceneGraph(occusg::GetSceneGraph::Request& /*request*/,
+                                     occusg::GetSceneGraph::Response& response) {
+  response.graph = *lastGraph();
+  return answer(response, response.graph.sequence == 0 ? "there is no graph yet" : "", "");
+}
+
+bool SceneGraphNode::onListRooms(occusg::ListRooms::Request& request,
+                                 occusg::ListRooms::Response& response) {
+  for (const occusg::RoomInfo& room : lastGraph()->rooms)
+    if (!(room.area < request.min_area)) response.rooms.push_back(room);
+  return answer(response, "", std::to_string(response.rooms.size()) + " rooms");
+}
+
+bool SceneGraphNode::onGetRoomAt(occusg::GetRoomAt::Request& request,
+                                 occusg::GetRoomAt::Response& response) {
+  const std::string& frame = request.point.header.frame_id;
+  Eigen::Vector3d point(request.point.point.x, request.point.point.y, request.point.point.z);
+  if (!point.allFinite()) return answer(response, "the point is not finite", "");
+  if (!frame.empty() && frame != settings_.map_frame) {
+    const PoseAnswer pose = poseAt(tf_, settings_.map_frame, frame, request.point.header.stamp);
+    if (pose.kind != PoseAnswer::Kind::kFound) return answer(response, pose.problem, "");
+    point = pose.T_target_source * point;
+  }
+  const GraphPtr graph = lastGraph();
+  for (const occusg::RoomInfo& room : graph->rooms) {
+    if (!contains(toPolygon(room.polygon), {point.x(), point.y()})) continue;
+    response.room = room;
+    return answer(response, "", room.name);
+  }
+  return answer(response, "no room is there", "");
+}
+
+bool SceneGraphNode::onGetPath(occusg::GetPath::Request& request,
+                               occusg::GetPath::Response& response) {
+  const GraphPtr graph = lastGraph();
+  const std::int64_t from = request.from_room == kNone ? graph->current_room : request.from_room;
+  if (from == kNone) return answer(response, "the robot is in no room", "");
+  try {
+    RoomPath path = pathBetween(*graph, from, request.to_room);
+    response.rooms = std::move(path.rooms);
+    response.doors = std::move(path.doors);
+    response.length = path.length_m;
+    response.path = std::move(path.path);
+  } catch (const occusg::Error& error) {
+    return answer(response, error.what(), "");
+  }
+  return answer(response, "", std::to_string(response.rooms.size()) + " rooms on the way");
+}
+
+bool SceneGraphNode::onSetRoomLabel(occusg::SetRoomLabel::Request& request,
+                                    occusg::SetRoomLabel::Response& response) {
+  if (request.label.size() > kMaxLabelLength || !isPrintable(request.label))
+    return answer(response, "a label has at most 64 bytes of printable ASCII", "");
+  const std::string problem = onWorker([this, id = request.room, label = request.label] {
+    rooms_->setRoomLabel(id, label);
+    publish(lastGraph()->header);
+  });
+  return answer(response, problem, "the label is set");
+}
+
+bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,
+                                  occusg::SegmentMap::Response& response) {
+  try {
+    occusg::PipelineConfig config = config_;
+    if (!request.decomposer.empty())
+      config = occusg::configFromYaml("regions.decomposer: " + request.decomposer + "\n",
+                                      "decomposer", config);
+    const occusg::FreeSpace layer = toFreeSpace(request.map, "map");
+    const auto decomposer = occusg::makeDecomposer(config);
+    const occusg::Decomposition& found = decomposer->update(layer);
+    response.segmented_map = toLabelImage(found, request.map);
+    response.regions = toRegionMsgs(found.regions);
+    response.doors = toDoorMsgs(found.crossings);
+  } catch (const occusg::Error& error) {
+    return answer(response, error.what(), "");
+  }
+  return answer(response, "", std::to_string(response.regions.size()) + " regions");
+}
+
+bool SceneGraphNode::onPause(std_srvs::SetBool::Request& request,
+                             std_srvs::SetBool::Response& response) {
+  paused_ = request.data;
+  return answer(response, "", request.data ? "paused" : "running");
+}
+
+}  // namespace occusg_ros

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "occusg/pipeline/parameter.hpp"
+#include "occusg_ros/markers.hpp"
+#include "occusg_ros/parameters.hpp"
+
+namespace occusg_ros {
+
+/// Where the robot's pose comes from.
+enum class PoseSource { kTf, kOdometry };
+
+/// The parameters of occusg/scene_graph besides those of the pipeline.
+struct SceneGraphSettings {
+  std::string map_frame = "map";
+  std::string robot_frame = "base_link";
+  PoseSource pose_source = PoseSource::kTf;
+  std::string scene = "scene";
+  double tf_timeout_s = 0.5;
+  double tf_cache_s = 10.0;
+  bool allow_reset = true;
+  bool save_on_exit = true;
+  std::string save_folder;
+  std::string resume;
+  std::string mapping_node = "mapping";
+  MarkerLayout layout;
+};
+
+/// The settings by name.
+/// @param settings outlives the parameters.
+[[nodiscard]] inline std::vector<occusg::Parameter> parametersOf(SceneGraphSettings& settings) {
+  using occusg::choiceParameter;
+  using occusg::numberParameter;
+  const std::vector<std::pair<std::string, bool>> kYesNo = {{"true", true}, {"false", false}};
+  MarkerLayout& layout = settings.layout;
+  return {
+      textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
+      textParameter(settings.robot_frame,
+                    {"robot_frame", "", "Frame of the robot; with pose_source tf."}),
+      choiceParameter<PoseSource>(settings.pose_source,
+                                  {{"tf", PoseSource::kTf}, {"odometry", PoseSource::kOdometry}},
+                                  {"pose_source", "", "Where the robot's pose comes from."}),
+      textParameter(settings.scene, {"scene", "", "What the scene is called."}),
+      numberParameter(settings.tf_timeout_s, {0.0, 60.0},
+                      {"tf_timeout_s", "s", "How long free space waits for the pose of its time."}),
+      numberParameter(settings.tf_cache_s, {1.0, 3600.0},
+                      {"tf_cache_s", "s", "How long transforms are remembered."}),
+      choiceParameter<bool>(settings.allow_reset, kYesNo,
+                            {"allow_reset", "", "Whether the reset service may be used."}),
+      choiceParameter<bool>(
+          settings.save_on_exit, kYesNo,
+          {"save_on_exit", "", "Whether the rooms are saved as 'last' at the end."}),
+      textParameter(settings.save_folder,
+                    {"save_folder", "", "Where rooms are saved; empty: ~/.ros/occusg."}),
+      textParameter(settings.resume,
+                    {"resume", "", "Name of a saved session to go on from; empty: begin anew."}),
+      textParameter(settings.mapping_node,
+                    {"mapping_node", "",
+                     "Node whose map is saved, loaded and reset along; empty: there is none."}),
+      numberParameter(layout.room_height_m, {-1000.0, 1000.0},
+                      {"room_height_m", "m", "Room nodes float so high above their floor."}),
+      numberParameter(layout.object_height_m, {-1000.0, 1000.0},
+                      {"object_height_m", "m", "Objects are drawn so much above where they are."}),
+      numberParameter(layout.navigation_height_m, {-1000.0, 1000.0},
+                      {"navigation_height_m", "m", "Navigation nodes float so high."}),
+      numberParameter(layout.room_opacity, {0.0, 1.0},
+                      {"room_opacity", "", "Of the coloured floor of a room."}),
+      choiceParameter<bool>(layout.show_regions, kYesNo,
+                            {"show_regions", "", "Draw the outlines of all regions."}),
+      choiceParameter<bool>(layout.show_containment, kYesNo,
+                            {"show_containment", "", "Draw lines to what is in a room."})};
+}
+
+}  // namespace occusg_ros

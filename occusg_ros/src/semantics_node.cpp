@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "semantics_node.hpp"
+
+#include <occusg/DetectionArray.h>
+
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <utility>
+
+#include "occusg/error.hpp"
+#include "occusg/perception/class_names.hpp"
+#include "occusg/perception/onnx_segmenter.hpp"
+#include "occusg_ros/graph_conversions.hpp"
+#include "occusg_ros/image_conversions.hpp"
+#include "occusg_ros/parameters.hpp"
+
+namespace occusg_ros {
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{10};
+constexpr std::uint32_t kQueue = 10;
+
+SemanticsSettings settingsFrom(const NodeHandles& handles) {
+  SemanticsSettings settings;
+  using occusg::numberParameter;
+  (void)readParameters(
+      handles.parameters,
+      {textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
+       textParameter(settings.model, {"model", "", "ONNX file of a YOLO segmentation model."}),
+       textParameter(settings.classes, {"classes", "", "Names of its classes, one a line."}),
+       numberParameter(settings.min_confidence, {0.01, 1.0},
+                       {"min_confidence", "", "Instances of a lower score are left out."}),
+       numberParameter(settings.max_iou, {0.0, 1.0},
+                       {"max_iou", "", "Of overlapping boxes of a class the better stays."}),
+       numberParameter(settings.tf_timeout_s, {0.0, 60.0},
+                       {"tf_timeout_s", "s", "How long images wait for their transform."})});
+  return settings;
+}
+
+std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings& settings) {
+  if (settings.model.empty())
+    throw occusg::refuse("~model", "it names no file",
+                         "give an ONNX file of a YOLO segmentation model");
+  occusg::OnnxSegmenterConfig config;
+  config.model_path = settings.model;
+  config.class_names = occusg::readClassNames(settings.classes);
+  config.min_confidence = settings.min_confidence;
+  config.max_iou = settings.max_iou;
+  return std::make_unique<occusg::OnnxSegmenter>(config);
+}
+
+}  // namespace
+
+SemanticsNode::SemanticsNode(const NodeHandles& handles)
+    : handles_(handles),
+      settings_(settingsFrom(handles)),
+      started_s_(steadySeconds()),
+      segmenter_(segmenterFor(settings_)),
+      builder_(settings_.builder),
+      tf_listener_(tf_),
+      publisher_(handles_.inputs.advertise<occusg::DetectionArray>("detections", kQueue)),
+      worker_(std::make_unique<Worker>(kPoll, [this] { return step(); })),
+      diagnostics_(handles.inputs, handles.parameters, handles.name) {
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("semantics", this, &SemanticsNode::describe);
+  ros::NodeHandle& nh = handles_.inputs;
+  color_subscriber_.subscribe(nh, "rgb/image_rect_color", kQueue);
+  depth_subscriber_.subscribe(nh, "depth/image_rect", kQueue);
+  info_subscriber_.subscribe(nh, "depth/camera_info", kQueue);
+  synchronizer_ = std::make_unique<message_filters::Synchronizer<Policy>>(
+      Policy(kQueue), color_subscriber_, depth_subscriber_, info_subscriber_);
+  synchronizer_->registerCallback(&SemanticsNode::onViews, this);
+  health_timer_ = nh.createWallTimer(ros::WallDuration(1.0),
+                                     [this](const ros::WallTimerEvent&) { checkHealth(); });
+}
+
+SemanticsNode::~SemanticsNode() {
+  health_timer_.stop();
+  color_subscriber_.unsubscribe();
+  depth_subscriber_.unsubscribe();
+  info_subscriber_.unsubscribe();
+  synchronizer_.reset();
+  worker_.reset();
+}
+
+void SemanticsNode::drop(Drop reason, const std::string& sentence) {
+  health_.noteDropped(reason, sentence);
+  if (!sentence.empty() && warnings_.allows())
+    ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
+}
+
+void SemanticsNode::onViews(const sensor_msgs::ImageConstPtr& color,
+                            const sensor_msgs::ImageConstPtr& depth,
+                            const sensor_msgs::CameraInfoConstPtr& info) {
+  health_.noteReceived();
+  bool replaced = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    replaced = waiting_.has_value();
+    waiting_ = Views{color, depth, info, steadySeconds()};
+  }
+  if (replaced) drop(Drop::kOverload, "");
+  worker_->wake();
+}
+
+Worker::Progress SemanticsNode::step() {
+  Views views;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!waiting_) return Worker::Progress::kIdle;
+    views = *waiting_;
+  }
+  const std_msgs::Header& header = views.depth->header;
+  const PoseAnswer pose = poseAt(tf_, settings_.map_frame, header.frame_id, header.stamp);
+  const bool may_come = pose.kind == PoseAnswer::Kind::kNotYet &&
+                        steadySeconds() - views.arrived_s < settings_.tf_timeout_s;
+  if (may_come) return Worker::Progress::kIdle;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (waiting_ && waiting_->depth == views.depth) waiting_.reset();
+  }
+  if (pose.kind != PoseAnswer::Kind::kFound) {
+    drop(Drop::kNoTransform, pose.problem);
+  } else {
+    process(views, pose.T_target_source);
+  }
+  return Worker::Progress::kWorked;
+}
+
+void SemanticsNode::process(const Views& views, const occusg::Pose& T_map_camera) {
+  try {
+    const double start_s = steadySeconds();
+    const occusg::DepthFrame frame{views.depth->header.stamp.toSec(),
+                                   toDepthImage(*views.depth, "depth/image_rect"),
+                                   toCameraModel(*views.info, "depth/camera_info"), T_map_camera};
+    const occusg::InstanceMasks masks =
+        segmenter_->segment(toColorImage(*views.color, "rgb/image_rect_color"));
+    const occusg::DetectionResult result = builder_.build(masks, frame);
+    std_msgs::Header header = views.depth->header;
+    header.frame_id = settings_.map_frame;
+    publisher_.publish(
+        boost::make_shared<occusg::DetectionArray>(toDetectionMsg(result.detections, header)));
+    health_.noteUsed();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
+    detections_ += result.detections.size();
+  } catch (const occusg::Error& error) {
+    drop(Drop::kImage, error.what());
+  }
+}
+
+void SemanticsNode::checkHealth() {
+  diagnostics_.force_update();
+  const InputHealth::Counts counts = health_.counts();
+  if (said_what_is_missing_ || counts.used > 0 || steadySeconds() - started_s_ < kSayMissingAfter_s)
+    return;
+  const auto input = [&](const std::string& what, const auto& subscriber) {
+    return NeededInput{what, subscriber.getSubscriber().getTopic(), counts.received,
+                       subscriber.getSubscriber().getNumPublishers()};
+  };
+  const std::string missing = missingInput(
+      {input("colour image", color_subscriber_), input("depth image", depth_subscriber_),
+       input("camera_info", info_subscriber_)},
+      counts.last_problem);
+  if (missing.empty()) return;
+  said_what_is_missing_ = true;
+  ROS_WARN_STREAM(handles_.name << ": nothing is detected: " << missing);
+}
+
+void SemanticsNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using Level = diagnostic_msgs::DiagnosticStatus;
+  const InputHealth::Counts counts = health_.counts();
+  occusg::StageSummary times;
+  std::size_t detections = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    times = times_.summary(occusg::Stage::kTotal);
+    detections = detections_;
+  }
+  if (counts.received == 0) {
+    status.summary(Level::WARN, "no images that belong together yet");
+  } else if (counts.used == 0) {
+    status.summary(Level::ERROR, "no image could be used: " + counts.last_problem);
+  } else {
+    status.summary(Level::OK, "detecting");
+  }
+  status.add("images received", counts.received);
+  status.add("images used", counts.used);
+  status.add("detections", detections);
+  for (const Drop reason : {Drop::kImage, Drop::kNoTransform, Drop::kOverload})
+    status.add("dropped: " + nameOf(reason), counts.of(reason));
+  status.add("last problem", counts.last_problem);
+  status.add("time p50 [ms]", times.p50_ms);
+  status.add("time p95 [ms]", times.p95_ms);
+  status.add("time max [ms]", times.max_ms);
+}
+
+}  // namespace occusg_ros

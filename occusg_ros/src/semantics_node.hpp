@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <message_filters/subscriber.h>
+#include <message_filters/sync_policies/approximate_time.h>
+#include <message_filters/synchronizer.h>
+#include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "node_handles.hpp"
+#include "occusg/perception/detection_builder.hpp"
+#include "occusg/perception/instance_segmenter.hpp"
+#include "occusg/pipeline/stage_times.hpp"
+#include "occusg_ros/input_health.hpp"
+#include "occusg_ros/tf_poses.hpp"
+#include "occusg_ros/throttle.hpp"
+#include "occusg_ros/worker.hpp"
+
+namespace occusg_ros {
+
+/// The parameters of occusg/semantics.
+struct SemanticsSettings {
+  std::string map_frame = "map";
+  std::string model;
+  std::string classes;
+  double min_confidence = 0.70;
+  double max_iou = 0.45;
+  double tf_timeout_s = 0.5;
+  occusg::DetectionBuilderConfig builder;
+};
+
+/// Colour and registered depth images -> detections placed in the map. The newest pair goes next:
+/// inference takes longer than images take to come.
+class SemanticsNode {
+ public:
+  /// @throws occusg::Error when a parameter or the model cannot be used.
+  explicit SemanticsNode(const NodeHandles& handles);
+  SemanticsNode(const SemanticsNode&) = delete;
+  SemanticsNode& operator=(const SemanticsNode&) = delete;
+  ~SemanticsNode();
+
+ private:
+  struct Views {
+    sensor_msgs::ImageConstPtr color;
+    sensor_msgs::ImageConstPtr depth;
+    sensor_msgs::CameraInfoConstPtr info;
+    double arrived_s = 0.0;  ///< Steady clock [s].
+  };
+  using Policy =
+      message_filters::sync_policies::ApproximateTime<sensor_msgs::Image, sensor_msgs::Image,
+                                                      sensor_msgs::CameraInfo>;
+
+  void onViews(const sensor_msgs::ImageConstPtr& color, const sensor_msgs::ImageConstPtr& depth,
+               const sensor_msgs::CameraInfoConstPtr& info);
+  void describe(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void checkHealth();
+
+  // On the worker's thread.
+  Worker::Progress step();
+  void process(const Views& views, const occusg::Pose& T_map_camera);
+  void drop(Drop reason, const std::string& sentence);
+
+  NodeHandles handles_;
+  SemanticsSettings settings_;
+  InputHealth health_;
+  double started_s_;
+  MissingInputReport missing_input_;
+  Throttle warnings_{kWarningPeriod_s};
+
+  std::mutex mutex_;  ///< Of the members up to `detections_`.
+  std::optional<Views> waiting_;
+  occusg::StageTimes times_;
+  std::size_t detections_ = 0;
+
+  std::unique_ptr<occusg::InstanceSegmenter> segmenter_;
+  occusg::DetectionBuilder builder_;
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  ros::Publisher publisher_;
+  std::unique_ptr<Worker> worker_;
+  diagnostic_updater::Updater diagnostics_;
+  message_filters::Subscriber<sensor_msgs::Image> color_subscriber_;
+  message_filters::Subscriber<sensor_msgs::Image> depth_subscriber_;
+  message_filters::Subscriber<sensor_msgs::CameraInfo> info_subscriber_;
+  std::unique_ptr<message_filters::Synchronizer<Policy>> synchronizer_;
+  ros::WallTimer health_timer_;
+};
+
+}  // namespace occusg_ros

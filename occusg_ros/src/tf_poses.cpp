@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg_ros/tf_poses.hpp"
+
+#include <geometry_msgs/TransformStamped.h>
+#include <tf2/exceptions.h>
+
+#include "occusg/error.hpp"
+#include "occusg_ros/pose_conversions.hpp"
+
+namespace occusg_ros {
+namespace {
+
+using Kind = PoseAnswer::Kind;
+
+// What tf can extrapolate neither now nor later: data older than the oldest it has.
+bool isTooOld(const tf2::BufferCore& tf, const std::string& target, const std::string& source,
+              const ros::Time& stamp) {
+  if (stamp.isZero()) return false;
+  try {
+    return tf.lookupTransform(target, source, ros::Time()).header.stamp > stamp;
+  } catch (const tf2::TransformException&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target, const std::string& source,
+                  const ros::Time& stamp) {
+  const std::string name = "transform " + target + " <- " + source;
+  if (source.empty())
+    return {Kind::kUnusable, occusg::Pose::Identity(), name + ": the frame has no name"};
+  try {
+    return {Kind::kFound, toPose(tf.lookupTransform(target, source, stamp).transform, name), ""};
+  } catch (const tf2::ExtrapolationException& error) {
+    const Kind kind = isTooOld(tf, target, source, stamp) ? Kind::kNever : Kind::kNotYet;
+    return {kind, occusg::Pose::Identity(), "no " + name + ": " + error.what()};
+  } catch (const tf2::InvalidArgumentException& error) {
+    return {Kind::kUnusable, occusg::Pose::Identity(), "no " + name + ": " + error.what()};
+  } catch (const tf2::TransformException& error) {
+    return {Kind::kNotYet, occusg::Pose::Identity(),
+            "no " + name + " (is the localisation running?): " + error.what()};
+  } catch (const occusg::Error& error) {
+    return {Kind::kUnusable, occusg::Pose::Identity(), error.what()};
+  }
+}
+
+}  // namespace occusg_ros

@@ -1,0 +1,24 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Every launch file and every YAML file loads, with all its arguments; needs no master.
+# Usage: launch_files_test.sh ROOT
+set -euo pipefail
+root=$1
+for launch in "$root"/launch/*.launch "$root"/launch/bringup/*.launch; do
+  arguments=()
+  # The drivers' packages are the user's.
+  if grep -q 'arg name="driver"' "$launch"; then
+    arguments+=(driver:=false)
+  fi
+  echo "$launch"
+  roslaunch --dump-params "$launch" "${arguments[@]}" > /dev/null
+  undocumented=$(grep -c '<arg .*default="[^"]*"/>' "$launch" || true)
+  if [ "$undocumented" -ne 0 ]; then
+    echo "launch_files_test: an argument of $launch has no doc" >&2
+    exit 1
+  fi
+done
+for config in "$root"/config/*.yaml; do
+  roslaunch --dump-params "$root/launch/occusg.launch" "config:=$config" |
+    grep -q '/occusg/scene_graph/regions/period_s'
+done

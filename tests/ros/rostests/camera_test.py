@@ -1,0 +1,228 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a live mapping node must survive: one test a row of the list, named after it."""
+import math
+import sys
+import time
+import unittest
+
+import numpy
+import rospy
+import rostest
+from nav_msgs.msg import OccupancyGrid
+from occusg.srv import SaveMap
+from std_srvs.srv import SetBool, Trigger
+
+from robot import (Diagnostics, HEIGHT, Robot, WIDTH, camera_info, depth_image, wait_until)
+
+
+class CameraTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("camera_test")
+        cls.robot = Robot(clock=True)
+        cls.diagnostics = Diagnostics("/mapping: mapping")
+        cls.layer = None
+        cls.layers = 0
+        rospy.Subscriber("/occusg/free_space", OccupancyGrid, cls.take_layer)
+        cls.robot.wait_for_subscribers(cls.robot.clock_publisher, cls.robot.info_publisher,
+                                       cls.robot.depth_publisher, cls.robot.tf_publisher,
+                                       connections=2)
+        cls.now = 1000.0
+        cls.drive(8)
+
+    @classmethod
+    def take_layer(cls, layer):
+        cls.layer = layer
+        cls.layers += 1
+
+    @classmethod
+    def step(cls, seconds=0.2):
+        cls.now += seconds
+        return rospy.Time.from_sec(cls.now)
+
+    @classmethod
+    def drive(cls, frames, metres=3.0, x=0.0):
+        """Turns on the spot, and waits until all of it is in the map."""
+        used = max(cls.diagnostics.count("images used"), 0)
+        cls.robot.info_publisher.publish(camera_info())
+        for i in range(frames):
+            cls.robot.send_frame(cls.step(), x=x, yaw=0.4 * i, metres=metres)
+            time.sleep(0.06)
+        cls.diagnostics.wait_for("images used", used + frames)
+
+    def settled(self):
+        """Cells of the layer once nothing comes any more."""
+        seen = self.layers
+        time.sleep(1.6)
+        self.assertGreaterEqual(self.layers, seen)
+        return self.layer.info, bytes(numpy.array(self.layer.data, dtype=numpy.int8))
+
+    def refused(self, reason, send):
+        """Sends what must leave no trace; waits until it was counted under `reason`."""
+        key = "dropped: " + reason
+        time.sleep(1.2)
+        used, before = self.diagnostics.count("images used"), self.diagnostics.count(key)
+        sent = send()
+        self.diagnostics.wait_for(key, before + sent)
+        self.assertEqual(self.diagnostics.count("images used"), used)
+
+    def test_row_01_pixels_that_are_no_depth_are_dropped_and_counted(self):
+        pixels = numpy.full((HEIGHT, WIDTH), 3.0, dtype=numpy.float32)
+        pixels[:12] = numpy.nan
+        pixels[12:24] = numpy.inf
+        pixels[24:30] = -1.0
+        pixels[30:36] = 0.0
+        nan = self.diagnostics.count("pixels: NaN")
+        self.drive(1, pixels)
+        self.diagnostics.wait_for("pixels: NaN", nan + 1)
+        for kind in ("zero", "negative"):
+            self.diagnostics.wait_for("pixels: " + kind, 1)
+
+    def test_row_02_wrong_encoding_and_size_are_refused(self):
+        def send():
+            for change in ({"encoding": "rgb8"}, {"step": 3}, {"data": b"short"},
+                           {"is_bigendian": 1}, {"width": 65535, "height": 65535}, {"height": 0}):
+                image = depth_image(self.step(), 1.0)
+                for field, value in change.items():
+                    setattr(image, field, value)
+                self.robot.send_pose(image.header.stamp)
+                self.robot.depth_publisher.publish(image)
+            return 6
+        self.refused("bad_image", send)
+
+    def test_row_03_bad_intrinsics_stop_mapping_until_the_next_good_ones(self):
+        def send():
+            self.robot.info_publisher.publish(camera_info(focal=0.0))
+            time.sleep(0.3)
+            self.robot.send_frame(self.step(), metres=1.0)
+            return 1
+        self.refused("no_camera_info", send)
+
+        def send_of_another_size():
+            self.robot.info_publisher.publish(camera_info(width=100, height=100))
+            time.sleep(0.3)
+            self.robot.send_frame(self.step(), metres=1.0)
+            return 1
+        self.refused("refused_by_map", send_of_another_size)
+        self.drive(1)
+
+    def test_row_04_without_a_transform_an_image_is_dropped(self):
+        def send():
+            stamp = self.step(2.0)
+            self.robot.set_clock(stamp)
+            self.robot.depth_publisher.publish(depth_image(stamp, 1.0))
+            return 1
+        self.refused("no_transform", send)
+        self.assertIn("map <- camera_optical_frame", self.diagnostics.values["last problem"])
+
+    def test_row_04_transform_of_an_unknown_frame_is_never_made_up(self):
+        def send():
+            image = depth_image(self.step(), 1.0)
+            image.header.frame_id = "nowhere"
+            self.robot.depth_publisher.publish(image)
+            return 1
+        self.refused("no_transform", send)
+
+    def test_row_05_pose_that_jumps_is_held_back(self):
+        self.drive(2)
+
+        def send():
+            self.robot.send_frame(self.step(), x=50.0)
+            return 1
+        self.refused("pose_jump", send)
+        self.drive(1)
+
+    def test_row_06_equal_zero_and_future_stamps_are_ignored(self):
+        def send():
+            for stamp in (rospy.Time.from_sec(self.now), rospy.Time(),
+                          rospy.Time.from_sec(self.now + 1e6)):
+                self.robot.depth_publisher.publish(depth_image(stamp, 1.0))
+            return 3
+        self.refused("bad_stamp", send)
+
+    def test_row_06_map_stays_when_the_clock_jumps_back(self):
+        info, before = self.settled()
+        type(self).now -= 60.0
+        # As a bag does that begins again: the clock comes first, then the transforms.
+        self.robot.set_clock(self.step())
+        time.sleep(0.3)
+        self.robot.send_pose(self.step())
+        time.sleep(0.3)
+        self.drive(3)
+        after, _ = self.settled()
+        self.assertGreaterEqual(after.width * after.height, info.width * info.height)
+        self.assertGreater(numpy.count_nonzero(numpy.frombuffer(before, numpy.int8) == 0), 0)
+
+    def test_row_08_overload_drops_old_images_and_the_map_does_not_lag(self):
+        time.sleep(1.2)
+        received = self.diagnostics.count("images received")
+        for _ in range(150):
+            self.robot.send_frame(self.step(0.03))
+        self.diagnostics.wait_for("images received", received + 150, 30)
+        time.sleep(2.5)
+        dropped = sum(self.diagnostics.count("dropped: " + why) for why in (
+            "bad_image", "no_camera_info", "bad_stamp", "no_transform", "bad_transform",
+            "pose_jump", "overload", "refused_by_map", "paused"))
+        self.assertEqual(self.diagnostics.count("images used") + dropped,
+                         self.diagnostics.count("images received"), "every image is accounted for")
+        self.assertLess(float(self.diagnostics.values["lag of the map [s]"]), 1.0)
+
+    def test_row_09_poses_beyond_the_reach_of_the_map_are_counted(self):
+        time.sleep(1.2)
+        before = self.diagnostics.count("frames outside the map")
+        for _ in range(6):
+            self.robot.send_frame(self.step(1.5), x=5000.0)
+            time.sleep(0.1)
+        self.diagnostics.wait_for("frames outside the map", before + 1)
+        self.step(2.0)
+        self.drive(1)
+
+    def test_row_10_full_map_takes_no_more_and_says_so(self):
+        small = Diagnostics("/small: mapping")
+        wait_until(lambda: small.count("dropped: refused_by_map") > 0 or not self.drive(4), 40,
+                   "the small map is full")
+        small.wait_for("dropped: refused_by_map", 1)
+        self.assertIn("max_memory_mb", small.values["last problem"])
+
+    def test_row_16_folder_that_cannot_be_written_is_said_and_survived(self):
+        save = rospy.ServiceProxy("/occusg/small/save", SaveMap)
+        answer = save("map")
+        self.assertFalse(answer.success)
+        self.assertIn("/proc/nowhere", answer.message)
+        self.assertFalse(save("map").success, "the node lives")
+
+    def test_row_18_save_takes_a_name_and_never_a_path(self):
+        save = rospy.ServiceProxy("/occusg/mapping/save", SaveMap)
+        for name in ("../x", "/etc/x", ".x", "a/b"):
+            self.assertFalse(save(name).success, name)
+        answer = save("camera_test")
+        self.assertTrue(answer.success, answer.message)
+        with open(answer.folder + "/free_space.yaml") as written:
+            self.assertIn("resolution", written.read())
+
+    def test_row_18_reset_can_be_forbidden(self):
+        self.assertFalse(rospy.ServiceProxy("/occusg/small/reset", Trigger)().success)
+
+    def test_bad_input_leaves_no_trace_in_the_map(self):
+        _, before = self.settled()
+        pause = rospy.ServiceProxy("/occusg/mapping/pause", SetBool)
+        self.assertTrue(pause(True).success)
+        self.robot.send_frame(self.step(), metres=1.0)
+        self.assertTrue(pause(False).success)
+        for i in range(60):
+            image = depth_image(self.step(0.05), 1.0)
+            image.encoding = "mono8" if i % 2 else "32FC4"
+            self.robot.depth_publisher.publish(image)
+        _, after = self.settled()
+        self.assertEqual(before, after)
+
+    def test_zz_reset_empties_the_map(self):
+        self.assertTrue(rospy.ServiceProxy("/occusg/mapping/reset", Trigger)().success)
+        wait_until(lambda: self.layer.info.width == 0, 5, "the layer is empty")
+        self.drive(2)
+        self.assertGreater(self.layer.info.width, 0)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("occusg", "camera_test", CameraTest, sys.argv)

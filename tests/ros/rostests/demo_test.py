@@ -1,0 +1,142 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The project's own recording through the nodelets ends with the rooms of `occusg run`."""
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+import rospy
+import rostest
+from dynamic_reconfigure.client import Client
+from occusg.msg import RoomArray, SceneGraphStamped, SceneGraphUpdate
+from rosgraph_msgs.msg import Clock
+from visualization_msgs.msg import Marker, MarkerArray
+
+from robot import Diagnostics, wait_until
+
+FRAMES = 314
+LAST_STAMP_S = 1000.0 + 62.6  # occusg_play begins at 1000 s
+HOLD_S = 12.0
+CELL_M = 0.025
+
+LATE_SUBSCRIBER = """
+import json, rospy
+from visualization_msgs.msg import MarkerArray
+rospy.init_node("late_subscriber", anonymous=True)
+markers = rospy.wait_for_message("/occusg/markers", MarkerArray, 20).markers
+print(json.dumps([(marker.ns, marker.id) for marker in markers]))
+"""
+
+
+def raster(rings, low, shape):
+    """Cells of a grid whose centres the rings hold: even-odd."""
+    y, x = numpy.mgrid[:shape[0], :shape[1]]
+    x, y = low[0] + (x + 0.5) * CELL_M, low[1] + (y + 0.5) * CELL_M
+    inside = numpy.zeros(shape, dtype=bool)
+    for ring in rings:
+        for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1]):
+            if y0 == y1:
+                continue
+            crosses = (y0 > y) != (y1 > y)
+            inside ^= crosses & (x < x0 + (y - y0) / (y1 - y0) * (x1 - x0))
+    return inside
+
+
+def overlap(a, b):
+    points = numpy.array([point for ring in a + b for point in ring])
+    low = points.min(axis=0)
+    shape = tuple(numpy.ceil((points.max(axis=0) - low) / CELL_M).astype(int)[::-1] + 1)
+    first, second = raster(a, low, shape), raster(b, low, shape)
+    return (first & second).sum() / max(1, (first | second).sum())
+
+
+def rings_of(polygon):
+    return [[(p.x, p.y) for p in ring.points] for ring in [polygon.outer] + polygon.holes]
+
+
+class DemoTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("demo_test")
+        cls.rooms, cls.graph, cls.clock_s = None, None, 0.0
+        cls.nodes, cls.gaps, cls.sequence = {}, 0, None
+        cls.shown = {}
+        cls.mapping = Diagnostics("/mapping: mapping")
+        rospy.Subscriber("/clock", Clock, cls.take_clock, queue_size=1)
+        rospy.Subscriber("/occusg/rooms", RoomArray, lambda m: setattr(cls, "rooms", m))
+        rospy.Subscriber("/occusg/scene_graph", SceneGraphStamped,
+                         lambda m: setattr(cls, "graph", m))
+        rospy.Subscriber("/occusg/scene_graph_updates", SceneGraphUpdate, cls.take_update)
+        rospy.Subscriber("/occusg/markers", MarkerArray, cls.take_markers)
+        wait_until(lambda: cls.clock_s >= LAST_STAMP_S + HOLD_S - 0.2, 150, "the recording has ended")
+
+    @classmethod
+    def take_clock(cls, clock):
+        cls.clock_s = clock.clock.to_sec()
+
+    @classmethod
+    def take_update(cls, update):
+        if cls.sequence is not None and update.previous_sequence != cls.sequence:
+            cls.gaps += 1
+        cls.sequence = update.sequence
+        for node in update.removed_nodes:
+            cls.nodes.pop(node, None)
+        for node in update.rooms + update.agents + update.objects + update.navigation:
+            cls.nodes[node.id] = node
+
+    @classmethod
+    def take_markers(cls, array):
+        for marker in array.markers:
+            if marker.action == Marker.DELETE:
+                cls.shown.pop((marker.ns, marker.id), None)
+            else:
+                cls.shown[marker.ns, marker.id] = marker
+
+    def reference(self):
+        """What `occusg run` finds in the same recording."""
+        out = tempfile.mkdtemp(prefix="occusg_demo_test_")
+        subprocess.run([rospy.get_param("~command"), "run", rospy.get_param("~sequence"), "-o", out],
+                       check=True, stdout=subprocess.DEVNULL)
+        with open(out + "/rooms.json") as file:
+            return json.load(file)
+
+    def test_rooms_are_those_of_the_command_line(self):
+        self.assertEqual(self.mapping.count("images used"), FRAMES, "no image was lost")
+        truth = self.reference()
+        self.assertEqual(len(self.rooms.rooms), len(truth["rooms"]))
+        partner = {}
+        for room in self.rooms.rooms:
+            overlaps = [(overlap(rings_of(room.polygon), [r["polygon"]] + r["holes"]), r["id"])
+                        for r in truth["rooms"]]
+            best, partner[room.id] = max(overlaps)
+            self.assertGreaterEqual(best, 0.99, room.name)
+        self.assertEqual(len(set(partner.values())), len(truth["rooms"]))
+        self.assertEqual(
+            {frozenset((partner[r.id], partner[n])) for r in self.rooms.rooms for n in r.adjacent},
+            {frozenset(door["rooms"]) for door in truth["doors"]})
+
+    def test_updates_add_up_to_the_graph(self):
+        self.assertEqual(self.gaps, 0)
+        whole = {n.id: n for n in self.graph.rooms + self.graph.agents + self.graph.objects +
+                 self.graph.navigation}
+        self.assertEqual(self.nodes, whole)
+
+    def test_markers_add_up_to_what_a_late_subscriber_sees(self):
+        # Another process: a second subscriber of this one would share its connection.
+        seen = subprocess.run([sys.executable, "-c", LATE_SUBSCRIBER], check=True, timeout=60,
+                              stdout=subprocess.PIPE, universal_newlines=True).stdout
+        self.assertEqual({tuple(key) for key in json.loads(seen)}, set(self.shown))
+        self.assertEqual(sum(ns == "rooms" for ns, _ in self.shown), len(self.rooms.rooms))
+
+    def test_what_can_change_live_changes_live(self):
+        client = Client("/occusg/scene_graph", timeout=20)
+        client.update_configuration({"room_height_m": 9.0})
+        wait_until(lambda: all(m.pose.position.z == 9.0 for (ns, _), m in self.shown.items()
+                               if ns == "rooms"), 10, "rooms float higher")
+
+
+if __name__ == "__main__":
+    rostest.rosrun("occusg", "demo_test", DemoTest, sys.argv)

@@ -1,0 +1,141 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""From SIGINT to the end it takes 5 s at most, and what was found is saved."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import rospy
+import rostest
+from nav_msgs.msg import OccupancyGrid
+from occusg.srv import ListRooms, LoadMap, SaveMap, SetRoomLabel
+
+from robot import Diagnostics, Robot, camera_info, two_rooms, wait_until
+
+
+class ShutdownTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("shutdown_test")
+        cls.robot = Robot()
+        cls.map_publisher = rospy.Publisher("/map", OccupancyGrid, queue_size=1, latch=True)
+        cls.folder = rospy.get_param("~folder", tempfile.mkdtemp(prefix="occusg_shutdown_test_"))
+
+    def start(self, command, name, *arguments):
+        return subprocess.Popen([rospy.get_param("~" + command), "__name:=" + name,
+                                 "_save_folder:=" + self.folder] + list(arguments))
+
+    def end(self, process, number):
+        started = time.monotonic()
+        process.send_signal(number)
+        process.wait(timeout=15)
+        self.assertLess(time.monotonic() - started, 5.0)
+
+    def test_row_15_mapping_saves_on_sigint(self):
+        process = self.start("mapping", "mapped", "depth/image_rect:=/camera/depth/image_rect",
+                             "depth/camera_info:=/camera/depth/camera_info")
+        diagnostics = Diagnostics("mapped: mapping")
+        self.robot.wait_for_subscribers(self.robot.depth_publisher, self.robot.info_publisher,
+                                        self.robot.tf_publisher)
+        self.robot.info_publisher.publish(camera_info())
+        for i in range(8):
+            self.robot.send_frame(rospy.Time.now(), yaw=0.4 * i)
+            time.sleep(0.2)
+        diagnostics.wait_for("images used", 4)
+        self.end(process, signal.SIGINT)
+        saved = os.path.join(self.folder, "last", "free_space.pgm")
+        self.assertGreater(os.path.getsize(saved), 100)
+
+    def test_row_15_scene_graph_saves_on_sigterm(self):
+        process = self.start("scene_graph", "graphed", "free_space:=/map")
+        self.feed_map(Diagnostics("graphed: scene graph"), 1.0, 2.0)
+        self.end(process, signal.SIGTERM)
+        with open(os.path.join(self.folder, "last", "rooms.json")) as rooms:
+            self.assertGreaterEqual(rooms.read().count('"polygon"'), 1)
+
+    def feed_map(self, diagnostics, x, y):
+        """Sends the laser map and the robot's place until the map is used."""
+        self.map_publisher.publish(two_rooms(rospy.Time.now()))
+
+        def is_used():
+            self.robot.send_pose(rospy.Time.now(), x, y)
+            time.sleep(0.1)
+            return diagnostics.count("maps used") > 0
+        wait_until(is_used, 30, "the map is used")
+
+    @staticmethod
+    def rooms():
+        try:
+            return rospy.ServiceProxy("list_rooms", ListRooms)(0.0).rooms
+        except rospy.ServiceException:
+            return []
+
+    def test_row_19_killed_scene_graph_goes_on_with_the_same_room_ids(self):
+        arguments = ("free_space:=/map", "_mapping_node:=")
+        process = self.start("scene_graph", "first_life", *arguments)
+        first = Diagnostics("first_life: scene graph")
+        self.feed_map(first, 6.0, 2.0)
+
+        def two_are_found():
+            self.robot.send_pose(rospy.Time.now(), 6.0, 2.0)
+            return len(self.rooms()) == 2
+        wait_until(two_are_found, 30, "two rooms")
+        before = self.rooms()
+        self.assertGreater(before[0].position.x, 4.0, "the first room is where the robot is")
+        rospy.ServiceProxy("set_room_label", SetRoomLabel)(before[1].id, "kitchen")
+        before = self.rooms()
+        answer = rospy.ServiceProxy("/first_life/save", SaveMap)("killed")
+        self.assertTrue(answer.success, answer.message)
+        process.kill()
+        process.wait(timeout=15)
+
+        process = self.start("scene_graph", "second_life", "_resume:=killed", *arguments)
+        wait_until(lambda: len(self.rooms()) == 2, 30, "the rooms are there again")
+        # In the other room: numbered anew, it would be the first.
+        self.feed_map(Diagnostics("second_life: scene graph"), 1.0, 2.0)
+        after = self.rooms()
+        self.assertEqual([(r.id, r.label) for r in after], [(r.id, r.label) for r in before])
+        for old, new in zip(before, after):
+            self.assertAlmostEqual(old.position.x, new.position.x, delta=0.2)
+        load = rospy.ServiceProxy("/second_life/load", LoadMap)
+        self.assertFalse(load("no_such_session").success)
+        self.assertEqual(len(self.rooms()), 2, "the live graph stays")
+        self.assertTrue(load("killed").success)
+        self.end(process, signal.SIGINT)
+
+    def test_row_19_killed_mapping_goes_on_with_its_map(self):
+        arguments = ("depth/image_rect:=/camera/depth/image_rect",
+                     "depth/camera_info:=/camera/depth/camera_info", "free_space:=/mapped_space")
+        process = self.start("mapping", "first_map", *arguments)
+        self.robot.wait_for_subscribers(self.robot.depth_publisher, self.robot.info_publisher,
+                                        self.robot.tf_publisher)
+        self.robot.info_publisher.publish(camera_info())
+        diagnostics = Diagnostics("first_map: mapping")
+        for i in range(8):
+            self.robot.send_frame(rospy.Time.now(), yaw=0.4 * i)
+            time.sleep(0.2)
+        diagnostics.wait_for("images used", 4)
+        time.sleep(1.5)
+        before = rospy.wait_for_message("/mapped_space", OccupancyGrid, 10)
+        answer = rospy.ServiceProxy("/first_map/save", SaveMap)("killed_map")
+        self.assertTrue(answer.success, answer.message)
+        process.kill()
+        process.wait(timeout=15)
+
+        process = self.start("mapping", "second_map", "_resume:=killed_map", *arguments)
+        after = rospy.wait_for_message("/mapped_space", OccupancyGrid, 20)
+        self.assertEqual(after.info.width, before.info.width)
+        self.assertEqual(after.data, before.data)
+        rospy.wait_for_service("/second_map/load", 10)
+        load = rospy.ServiceProxy("/second_map/load", LoadMap)
+        self.assertFalse(load("../killed_map").success)
+        self.assertTrue(load("killed_map").success)
+        self.end(process, signal.SIGINT)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("occusg", "shutdown_test", ShutdownTest, sys.argv)

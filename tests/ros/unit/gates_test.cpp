@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <limits>
+#include <vector>
+
+#include "occusg_ros/pending_frames.hpp"
+#include "occusg_ros/pose_gate.hpp"
+#include "occusg_ros/ros_timeline.hpp"
+#include "occusg_ros/stamp_gate.hpp"
+#include "occusg_ros/worker.hpp"
+
+namespace occusg_ros {
+namespace {
+
+occusg::Pose at(double x, double yaw_rad = 0.0) {
+  occusg::Pose pose = occusg::Pose::Identity();
+  pose.linear() = Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  pose.translation().x() = x;
+  return pose;
+}
+
+TEST(StampGate, Row6EqualAndOlderStampsAreNotNewer) {
+  StampGate gate;
+  EXPECT_EQ(gate.take(10.0, 0.0).verdict, StampVerdict::kNewer);
+  EXPECT_EQ(gate.take(10.0, 0.0).verdict, StampVerdict::kNotNewer);
+  EXPECT_EQ(gate.take(9.5, 0.0).verdict, StampVerdict::kNotNewer);
+  EXPECT_EQ(gate.take(10.1, 0.0).verdict, StampVerdict::kNewer);
+}
+
+TEST(StampGate, Row6StampZeroAndFarFutureAreRefused) {
+  StampGate gate;
+  EXPECT_EQ(gate.take(0.0, 100.0).verdict, StampVerdict::kZero);
+  EXPECT_EQ(gate.take(std::numeric_limits<double>::quiet_NaN(), 0.0).verdict, StampVerdict::kZero);
+  EXPECT_EQ(gate.take(106.0, 100.0).verdict, StampVerdict::kFuture);
+  EXPECT_EQ(gate.take(101.0, 100.0).verdict, StampVerdict::kNewer);
+}
+
+TEST(StampGate, Row6LogicalTimeGoesOnWhenTheClockJumpsBack) {
+  StampGate gate;
+  EXPECT_DOUBLE_EQ(gate.take(1000.0, 0.0).logical_s, 1000.0);
+  EXPECT_DOUBLE_EQ(gate.take(1060.0, 0.0).logical_s, 1060.0);
+  const StampGate::Result jump = gate.take(1000.0, 0.0);
+  EXPECT_EQ(jump.verdict, StampVerdict::kJumpedBack);
+  EXPECT_GT(jump.logical_s, 1060.0);
+  const StampGate::Result next = gate.take(1000.2, 0.0);
+  EXPECT_EQ(next.verdict, StampVerdict::kNewer);
+  EXPECT_NEAR(next.logical_s - jump.logical_s, 0.2, 1e-9);
+}
+
+TEST(RosTimeline, NeverGoesBackWhateverTheClockDoes) {
+  RosTimeline timeline;
+  EXPECT_DOUBLE_EQ(timeline.now(50.0), 50.0);
+  EXPECT_DOUBLE_EQ(timeline.at(49.8), 50.0) << "a message is a little late";
+  EXPECT_DOUBLE_EQ(timeline.at(1.0), 50.0) << "a finished map is older than the node";
+  EXPECT_DOUBLE_EQ(timeline.now(51.0), 51.0);
+  EXPECT_DOUBLE_EQ(timeline.now(10.0), 51.0) << "the bag begins again";
+  EXPECT_DOUBLE_EQ(timeline.now(12.0), 53.0);
+  EXPECT_DOUBLE_EQ(timeline.at(12.5), 53.5);
+}
+
+TEST(RosTimeline, GoesOnAfterASessionThatWasSavedUnderAnotherClock) {
+  RosTimeline timeline;
+  timeline.goOnAfter(1060.0, 1000.0);
+  EXPECT_DOUBLE_EQ(timeline.now(1001.0), 1061.0);
+  RosTimeline later;
+  later.goOnAfter(1060.0, 5000.0);
+  EXPECT_DOUBLE_EQ(later.now(5001.0), 5001.0);
+}
+
+TEST(PoseGate, Row5JumpIsHeldBackAndARelocalisationGoesThrough) {
+  PoseGate gate({1.0, 0.79, 1.0, 3});
+  EXPECT_EQ(gate.take(at(0.0), 0.0), PoseVerdict::kUsual);
+  EXPECT_EQ(gate.take(at(0.5), 0.1), PoseVerdict::kUsual);
+  EXPECT_EQ(gate.take(at(9.0), 0.2), PoseVerdict::kJump) << "a glitch";
+  EXPECT_EQ(gate.take(at(0.6), 0.3), PoseVerdict::kUsual);
+  EXPECT_EQ(gate.take(at(9.0), 0.4), PoseVerdict::kJump);
+  EXPECT_EQ(gate.take(at(9.1), 0.5), PoseVerdict::kJump);
+  EXPECT_EQ(gate.take(at(9.2), 0.6), PoseVerdict::kRelocalised);
+  EXPECT_EQ(gate.take(at(9.3), 0.7), PoseVerdict::kUsual);
+}
+
+TEST(PoseGate, Row5ScatteredJumpsNeverBecomeARelocalisation) {
+  PoseGate gate({1.0, 0.79, 1.0, 3});
+  EXPECT_EQ(gate.take(at(0.0), 0.0), PoseVerdict::kUsual);
+  for (int i = 1; i < 9; ++i) EXPECT_EQ(gate.take(at(10.0 * i), 0.1 * i), PoseVerdict::kJump) << i;
+}
+
+TEST(PoseGate, Row5TurnsCountAndLongPausesDoNot) {
+  PoseGate gate({1.0, 0.79, 1.0, 3});
+  EXPECT_EQ(gate.take(at(0.0), 0.0), PoseVerdict::kUsual);
+  EXPECT_EQ(gate.take(at(0.0, 1.0), 0.1), PoseVerdict::kJump);
+  EXPECT_EQ(gate.take(at(0.0, 0.7), 0.2), PoseVerdict::kUsual);
+  EXPECT_EQ(gate.take(at(30.0), 5.0), PoseVerdict::kUsual);
+}
+
+TEST(PendingFrames, Row8NewestReadyFrameGoesFirstAndOlderOnesAreSkipped) {
+  PendingFrames<int> frames(10);
+  for (int i = 1; i <= 5; ++i) EXPECT_EQ(frames.push(i), 0U);
+  const auto taken = frames.take(Overload::kSkip, [](int frame) { return frame <= 3; });
+  ASSERT_TRUE(taken.frame);
+  EXPECT_EQ(*taken.frame, 3);
+  EXPECT_EQ(taken.skipped, 2U);
+  EXPECT_EQ(frames.size(), 2U) << "4 and 5 still wait for their transforms";
+  EXPECT_FALSE(frames.take(Overload::kSkip, [](int) { return false; }).frame);
+}
+
+TEST(PendingFrames, Row8MemoryIsBoundedByTheOldestGoing) {
+  PendingFrames<int> frames(2);
+  EXPECT_EQ(frames.push(1) + frames.push(2), 0U);
+  EXPECT_EQ(frames.push(3), 1U);
+  EXPECT_EQ(*frames.take(Overload::kQueue, [](int) { return true; }).frame, 2);
+}
+
+TEST(PendingFrames, QueueKeepsTheOrderAndWaitsForItsFirst) {
+  PendingFrames<int> frames(10);
+  frames.push(1);
+  frames.push(2);
+  EXPECT_FALSE(frames.take(Overload::kQueue, [](int frame) { return frame == 2; }).frame);
+  EXPECT_EQ(*frames.take(Overload::kQueue, [](int) { return true; }).frame, 1);
+  EXPECT_EQ(frames.dropLate([](int frame) { return frame == 2; }), 1U);
+  EXPECT_TRUE(frames.empty());
+}
+
+TEST(Worker, RunsTasksInOrderAndStepsBetweenThem) {
+  std::promise<void> stepped;
+  std::atomic<bool> once{false};
+  Worker worker(std::chrono::milliseconds(1), [&] {
+    if (!once.exchange(true)) stepped.set_value();
+    return Worker::Progress::kIdle;
+  });
+  std::vector<int> order;
+  worker.post([&] { order.push_back(1); });
+  EXPECT_TRUE(worker.run([&] { order.push_back(2); }, std::chrono::seconds(10)));
+  EXPECT_EQ(order, (std::vector<int>{1, 2}));
+  EXPECT_EQ(stepped.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
+}
+
+TEST(Worker, Row20EndsWithTasksStillWaiting) {
+  std::atomic<int> ran{0};
+  {
+    Worker worker(std::chrono::milliseconds(1), [] { return Worker::Progress::kIdle; });
+    std::promise<void> begun;
+    std::promise<void> go_on;
+    worker.post([&] {
+      begun.set_value();
+      go_on.get_future().wait();
+      ++ran;
+    });
+    begun.get_future().wait();
+    for (int i = 0; i < 100; ++i) worker.post([&] { ++ran; });
+    EXPECT_FALSE(worker.run([] {}, std::chrono::milliseconds(1))) << "it is busy";
+    go_on.set_value();
+  }
+  EXPECT_GE(ran, 1);
+}
+
+}  // namespace
+}  // namespace occusg_ros
