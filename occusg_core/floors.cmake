@@ -107,9 +107,13 @@ occusg_add_floor(evaluation
     assignment.cpp
     boundary_f1.cpp
     evaluated_room.cpp
+    metrics_json.cpp
+    observed_rooms.cpp
+    relation_metrics.cpp
     room_metrics.cpp
     room_metrics_mean.cpp
-    metrics_json.cpp
+    score_estimates.cpp
+    truth_check.cpp
   USES geometry
   LIBRARIES nlohmann_json::nlohmann_json)
 
