@@ -76,9 +76,11 @@ occusg_add_floor(io
   SOURCES
     canvas.cpp
     decomposition_drawing.cpp
+    external_rooms.cpp
     file_bytes.cpp
     graph_json.cpp
     grey_picture.cpp
+    house_file.cpp
     json_text.cpp
     label_picture.cpp
     label_placement.cpp
@@ -86,6 +88,7 @@ occusg_add_floor(io
     map_files.cpp
     map_reader.cpp
     map_yaml.cpp
+    object_records.cpp
     output_folder.cpp
     overview_labels.cpp
     overview_picture.cpp
@@ -115,6 +118,19 @@ occusg_add_floor(evaluation
     score_estimates.cpp
     truth_check.cpp
   USES geometry
+  LIBRARIES nlohmann_json::nlohmann_json opencv_core opencv_imgproc)
+
+occusg_add_floor(report
+  SOURCES
+    html_text.cpp
+    report_page.cpp
+    report_pictures.cpp
+    report_tables.cpp
+    results_files.cpp
+    room_drawing.cpp
+    scene_folder.cpp
+    scene_result.cpp
+  USES geometry perception mapping regions graph io evaluation
   LIBRARIES nlohmann_json::nlohmann_json)
 
 occusg_add_floor(pipeline

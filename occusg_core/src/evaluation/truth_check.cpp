@@ -39,6 +39,9 @@ class TruthRepair {
       return;
     }
     if (!isSound(annotated.polygon)) keepMainPiece(*room);
+    for (const Polygon& polygon : annotated.further_parts)
+      if (auto part = roomFrom(annotated.id, polygon))
+        for (Polygon& piece : part->parts) room->parts.push_back(std::move(piece));
     rooms_.push_back({*std::move(room), annotated.level});
   }
 
@@ -119,6 +122,8 @@ SoundTruth soundTruth(const std::vector<TruthRoom>& rooms, const std::string& wh
   TruthRepair repair(where);
   for (const TruthRoom& room : rooms) {
     checkCoordinates(room.polygon, where + ": " + named(room.id));
+    for (const Polygon& part : room.further_parts)
+      checkCoordinates(part, where + ": " + named(room.id));
     repair.add(room);
   }
   repair.separate();

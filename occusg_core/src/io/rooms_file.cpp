@@ -33,12 +33,23 @@ Point2 pointOf(const json& value, const std::string& where) {
   return {coordinateOf(value[0], where + " x"), coordinateOf(value[1], where + " y")};
 }
 
+/// Sign of the area of a ring as `Polygon` asks for.
+enum class Winding { kOuter = 1, kHole = -1 };
+
 /// Reads rings until the file's share of vertices is used up.
 class RingReader {
  public:
-  explicit RingReader(std::string file) : file_(std::move(file)) {}
+  RingReader(std::string file, RingOrder order) : file_(std::move(file)), order_(order) {}
 
-  Ring read(const json& value, const std::string& where) {
+  Ring read(const json& value, const std::string& where, Winding winding) {
+    Ring ring = readAsWritten(value, where);
+    const bool is_wrong = signedArea(ring) * static_cast<int>(winding) < 0.0;
+    if (order_ == RingOrder::kOriented && is_wrong) std::reverse(ring.begin(), ring.end());
+    return ring;
+  }
+
+ private:
+  Ring readAsWritten(const json& value, const std::string& where) {
     vertices_ += arrayOf(value, where).size();
     if (vertices_ > kMaxRoomVertices) {
       throw refuse(file_, "has more than " + std::to_string(kMaxRoomVertices) + " vertices",
@@ -56,14 +67,22 @@ class RingReader {
     return ring;
   }
 
- private:
   std::string file_;
+  RingOrder order_;
   std::size_t vertices_ = 0;
 };
 
-Ring oriented(Ring ring, double sign) {
-  if (signedArea(ring) * sign < 0.0) std::reverse(ring.begin(), ring.end());
-  return ring;
+Polygon polygonOf(const json& value, const std::string& where, RingReader& rings) {
+  Polygon polygon;
+  polygon.outer = rings.read(member(value, "polygon", where), where + " polygon", Winding::kOuter);
+  const json* holes = optionalMember(value, "holes", where);
+  if (holes == nullptr) return polygon;
+  const std::size_t count = arrayOf(*holes, where + " holes").size();
+  for (std::size_t i = 0; i < count; ++i) {
+    polygon.holes.push_back(
+        rings.read((*holes)[i], where + " hole " + std::to_string(i), Winding::kHole));
+  }
+  return polygon;
 }
 
 RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
@@ -74,19 +93,17 @@ RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
   const std::string where = file + ": room " + std::to_string(room.id);
   if (const json* label = optionalMember(value, "label", where); label != nullptr)
     room.label = stringOf(*label, where + " label");
-  room.polygon.outer =
-      oriented(rings.read(member(value, "polygon", where), where + " polygon"), 1.0);
-  const json* holes = optionalMember(value, "holes", where);
-  if (holes == nullptr) return room;
-  const std::size_t count = arrayOf(*holes, where + " holes").size();
-  for (std::size_t i = 0; i < count; ++i) {
-    room.polygon.holes.push_back(
-        oriented(rings.read((*holes)[i], where + " hole " + std::to_string(i)), -1.0));
-  }
+  room.polygon = polygonOf(value, where, rings);
+  if (const json* level = optionalMember(value, "level", where); level != nullptr)
+    room.level = integerOf(*level, where + " level");
+  const json* parts = optionalMember(value, "further_parts", where);
+  if (parts == nullptr) return room;
+  for (const json& part : arrayOf(*parts, where + " further_parts"))
+    room.further_parts.push_back(polygonOf(part, where + " further part", rings));
   return room;
 }
 
-std::vector<RoomRecord> roomsOf(const json& values, const std::string& file) {
+std::vector<RoomRecord> roomsOf(const json& values, const std::string& file, RingOrder order) {
   if (arrayOf(values, file + ": rooms").size() > kMaxRooms) {
     throw refuse(file, "has " + std::to_string(values.size()) + " rooms",
                  "at most " + std::to_string(kMaxRooms) + " are read");
@@ -94,7 +111,7 @@ std::vector<RoomRecord> roomsOf(const json& values, const std::string& file) {
   std::vector<RoomRecord> rooms;
   rooms.reserve(values.size());
   std::set<int> ids;
-  RingReader rings(file);
+  RingReader rings(file, order);
   for (std::size_t i = 0; i < values.size(); ++i) {
     rooms.push_back(roomOf(values[i], file, i, rings));
     if (!ids.insert(rooms.back().id).second) {
@@ -103,6 +120,12 @@ std::vector<RoomRecord> roomsOf(const json& values, const std::string& file) {
     }
   }
   return rooms;
+}
+
+json jsonOf(const Polygon& polygon) {
+  json holes = json::array();
+  for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
+  return {{"polygon", jsonOf(polygon.outer)}, {"holes", std::move(holes)}};
 }
 
 DoorRecord doorOf(const json& value, const std::string& where, const std::set<int>& room_ids) {
@@ -148,7 +171,7 @@ std::vector<DoorRecord> doorsOf(const json& values, const std::string& file,
 
 }  // namespace
 
-RoomsFile parseRooms(const std::string& text, const std::string& where) {
+RoomsFile parseRooms(const std::string& text, const std::string& where, RingOrder order) {
   const json document = parseJson(text, where);
   RoomsFile file;
   if (const json* scene = optionalMember(document, "scene", where); scene != nullptr)
@@ -157,25 +180,25 @@ RoomsFile parseRooms(const std::string& text, const std::string& where) {
     file.frame = stringOf(*frame, where + ": frame");
   if (const json* floor = optionalMember(document, "floor_z", where); floor != nullptr)
     file.floor_z_m = coordinateOf(*floor, where + ": floor_z");
-  file.rooms = roomsOf(member(document, "rooms", where), where);
+  file.rooms = roomsOf(member(document, "rooms", where), where, order);
   if (const json* doors = optionalMember(document, "doors", where); doors != nullptr)
     file.doors = doorsOf(*doors, where, file.rooms);
   return file;
 }
 
-RoomsFile readRooms(const std::string& path) {
-  return parseRooms(readFile(path, kMaxFileBytes), path);
+RoomsFile readRooms(const std::string& path, RingOrder order) {
+  return parseRooms(readFile(path, kMaxFileBytes), path, order);
 }
 
 std::string toJson(const RoomsFile& file) {
   json rooms = json::array();
   for (const RoomRecord& room : file.rooms) {
-    json holes = json::array();
-    for (const Ring& hole : room.polygon.holes) holes.push_back(jsonOf(hole));
-    rooms.push_back({{"id", room.id},
-                     {"label", room.label},
-                     {"polygon", jsonOf(room.polygon.outer)},
-                     {"holes", std::move(holes)}});
+    json object = jsonOf(room.polygon);
+    object["id"] = room.id;
+    object["label"] = room.label;
+    if (room.level != 0) object["level"] = room.level;
+    for (const Polygon& part : room.further_parts) object["further_parts"].push_back(jsonOf(part));
+    rooms.push_back(std::move(object));
   }
   json doors = json::array();
   for (const DoorRecord& door : file.doors) {

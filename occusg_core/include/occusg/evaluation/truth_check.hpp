@@ -13,6 +13,7 @@ struct TruthRoom {
   int id = 0;
   Polygon polygon;
   int level = 0;  ///< Storey; rooms of different storeys may lie above each other.
+  std::vector<Polygon> further_parts = {};  ///< Of a room that is not in one piece.
 };
 
 /// Annotated rooms fit to be evaluated, and one sentence for each repair.
