@@ -21,7 +21,7 @@ CommandHelp help() {
       "writes, a row a value: the paper's Table 2. A parameter of the decomposer dude is varied\n"
       "with dude as the decomposer.\n\n"
       "  occusg ablate recordings/* -o out --d-thr 1.5,3,6\n"
-      "  occusg ablate recordings/* -o out --param mapping.free_space.min_gap_m=0.2,0.3,0.4\n",
+      "  occusg ablate recordings/* -o out --param regions.constriction.widest_door_m=1.5,2.5\n",
       {},
       "SEQUENCE"};
 }
