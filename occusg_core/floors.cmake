@@ -122,7 +122,9 @@ occusg_add_floor(evaluation
 
 occusg_add_floor(report
   SOURCES
+    companion_tables.cpp
     html_text.cpp
+    report_cells.cpp
     report_page.cpp
     report_pictures.cpp
     report_tables.cpp

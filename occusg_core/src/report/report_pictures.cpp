@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "report/html_text.hpp"
-#include "report/report_tables.hpp"
+#include "report/report_cells.hpp"
 #include "report/room_drawing.hpp"
 
 namespace occusg {

@@ -7,9 +7,6 @@
 
 namespace occusg {
 
-/// "A", "B", ..., the short names of configurations in the heads of wide tables.
-[[nodiscard]] std::string letterOf(std::size_t configuration);
-
 /// A row a configuration: averages with 95 % intervals.
 [[nodiscard]] std::string summaryTables(const BatchResults& batch);
 /// The form of the paper's Table 1 at each threshold: a row a scene, configurations side by side.
