@@ -64,9 +64,10 @@ std::string comparable(const std::string& label) {
       {"pottedplant", "plant"},    {"fridge", "refrigerator"}, {"singlebed", "bed"},
       {"doublebed", "bed"},        {"armchair", "chair"},      {"officechair", "chair"}};
   std::string plain;
-  for (const char c : label)
+  for (const char c : label) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0)
       plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
   const auto synonym = kSynonyms.find(plain);
   return synonym == kSynonyms.end() ? plain : synonym->second;
 }

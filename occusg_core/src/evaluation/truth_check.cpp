@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "occusg/error.hpp"
@@ -39,9 +41,10 @@ class TruthRepair {
       return;
     }
     if (!isSound(annotated.polygon)) keepMainPiece(*room);
-    for (const Polygon& polygon : annotated.further_parts)
-      if (auto part = roomFrom(annotated.id, polygon))
-        for (Polygon& piece : part->parts) room->parts.push_back(std::move(piece));
+    for (const Polygon& polygon : annotated.further_parts) {
+      auto part = roomFrom(annotated.id, polygon);
+      if (part) std::move(part->parts.begin(), part->parts.end(), std::back_inserter(room->parts));
+    }
     rooms_.push_back({*std::move(room), annotated.level});
   }
 
@@ -56,9 +59,10 @@ class TruthRepair {
         }
       }
     }
-    for (std::size_t i = 0; i < rooms_.size(); ++i)
+    for (std::size_t i = 0; i < rooms_.size(); ++i) {
       for (std::size_t j = i + 1; j < rooms_.size(); ++j)
         if (rooms_[i].level == rooms_[j].level) separate(rooms_[i].room, rooms_[j].room);
+    }
   }
 
   [[nodiscard]] SoundTruth result() && {

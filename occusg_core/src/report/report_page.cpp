@@ -19,6 +19,7 @@ header { padding-top: 3rem; }
 h1 { font-size: 2.1rem; line-height: 1.15; margin: 0 0 .4rem; font-weight: 600; }
 h2 { font-size: 1.35rem; margin: 3rem 0 .3rem; font-weight: 600; }
 h3 { font-size: 1.02rem; margin: 1.6rem 0 .4rem; font-weight: 600; }
+p.key-line { max-width: none; }
 p { max-width: 44rem; margin: .5rem 0 1rem; }
 .lead { color: var(--soft); font-size: 1.08rem; }
 nav a, a { color: var(--accent); text-decoration: none; }
@@ -64,6 +65,7 @@ svg path { fill-rule: evenodd; }
 .t, .m { fill: none; stroke: #1f2328; stroke-width: 1.4px; vector-effect: non-scaling-stroke;
   pointer-events: all; }
 .m { stroke: #c8372d; stroke-width: 2px; }
+.key:first-child { margin-left: 0; }
 .key { display: inline-block; width: 1.5em; height: .95em; vertical-align: -.1em; margin: 0 .25em 0 .7em; }
 .key.fill { background: #b9d8e6; } .key.no { background: repeating-linear-gradient(45deg, #f4e9e6 0 4px, #dfbcb4 4px 6px); }
 .key.line { border: 1.5px solid #1f2328; } .key.miss { border: 2px solid #c8372d; }
@@ -97,7 +99,7 @@ std::string alignmentSentence(const std::string& alignment) {
 }
 
 std::string pictureKey() {
-  return "<p><span class=\"key fill\"></span>predicted room with a match "
+  return "<p class=\"key-line\"><span class=\"key fill\"></span>predicted room with a match "
          "<span class=\"key no\"></span>prediction without one "
          "<span class=\"key line\"></span>annotated room "
          "<span class=\"key miss\"></span>annotated room not found at IoU .50</p>\n";

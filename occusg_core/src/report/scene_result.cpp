@@ -2,6 +2,7 @@
 #include "occusg/report/scene_result.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
