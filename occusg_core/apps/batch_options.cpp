@@ -112,9 +112,10 @@ void requireDistinctNames(const std::vector<Configuration>& configurations) {
   std::set<std::string> names;
   for (const Configuration& configuration : configurations) {
     const std::string& name = configuration.name;
-    if (name.empty() || name.find('/') != std::string::npos || name.front() == '.')
+    if (name.empty() || name.find('/') != std::string::npos || name.front() == '.') {
       throw refuse("configuration '" + name + "'", "cannot be the name of a folder",
                    "another name is needed");
+    }
     if (!names.insert(name).second)
       throw refuse("configuration '" + name + "'", "is given twice", "different names are needed");
   }

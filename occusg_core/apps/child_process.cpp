@@ -44,9 +44,10 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   pid_ = fork();
   if (pid_ == 0) become(arguments.data(), log);
   close(log);
-  if (pid_ < 0)
+  if (pid_ < 0) {
     throw refuse(command.front(), "cannot be started (" + reason() + ")",
                  "fewer processes or more memory are needed");
+  }
   setpgid(pid_, pid_);  // also here: whoever comes first
 }
 
@@ -79,9 +80,10 @@ double ChildProcess::seconds() const {
 std::string ownProgram() {
   std::error_code failed;
   const auto path = std::filesystem::read_symlink("/proc/self/exe", failed);
-  if (failed)
+  if (failed) {
     throw refuse("/proc/self/exe", "cannot be read (" + failed.message() + ")",
                  "a mounted /proc is needed to start runs");
+  }
   return path.string();
 }
 

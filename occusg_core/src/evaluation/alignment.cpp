@@ -63,9 +63,10 @@ std::vector<cv::Point> paintable(const Ring& ring, const Point2& origin, const C
   };
   std::vector<cv::Point> points;
   points.reserve(ring.size());
-  for (const Point2& point : ring)
+  for (const Point2& point : ring) {
     points.emplace_back(toSubcells(point.x, origin.x, box.min.x),
                         toSubcells(point.y, origin.y, box.min.y));
+  }
   return points;
 }
 

@@ -62,9 +62,10 @@ class Record {
   }
   [[nodiscard]] double number(std::size_t i) const {
     const auto value = numberIn(word(i));
-    if (!value || std::abs(*value) > kMaxRoomCoordinate_m)
+    if (!value || std::abs(*value) > kMaxRoomCoordinate_m) {
       throw refuse(where_, "word " + std::to_string(i + 1) + " is '" + shown(word(i)) + "'",
                    "a number within 1e6 is needed");
+    }
     return *value;
   }
   [[nodiscard]] bool isInteger(std::size_t i) const {
@@ -95,9 +96,10 @@ void readRegion(const Record& record, House& house) {
   requireRoom(house.regions, kMaxHouseRegions, record);
   const int index = record.integer(1);
   if (index < 0) throw refuse(record.where(), "region " + std::to_string(index), "must be >= 0");
-  if (!house.regions.emplace(index, Region{record.integer(2), record.word(5)}).second)
+  if (!house.regions.emplace(index, Region{record.integer(2), record.word(5)}).second) {
     throw refuse(record.where(), "region " + std::to_string(index) + " appears twice",
                  "indices must be different");
+  }
 }
 
 void readSurface(const Record& record, House& house) {
@@ -142,9 +144,10 @@ House houseIn(const std::string& text, const std::string& where) {
     if (kind == "S") readSurface(record, house);
     if (kind == "P") readPortal(record, house);
     if (kind != "V") continue;
-    if (++vertices > kMaxHouseVertices)
+    if (++vertices > kMaxHouseVertices) {
       throw refuse(record.where(), "more than " + std::to_string(kMaxHouseVertices) + " vertices",
                    "a smaller house is needed");
+    }
     readVertex(record, house);
   }
   return house;
@@ -219,9 +222,10 @@ HouseTruth parseHouse(const std::string& text, const std::string& where,
     return std::any_of(rooms.begin(), rooms.end(),
                        [region](const RoomRecord& room) { return room.id == region + 1; });
   };
-  for (const Portal& portal : house.portals)
+  for (const Portal& portal : house.portals) {
     if (isKept(portal.region_a) && isKept(portal.region_b))
       truth.rooms.doors.push_back({portal.region_a + 1, portal.region_b + 1, portal.segment});
+  }
   return truth;
 }
 
