@@ -96,7 +96,8 @@ std::vector<ObjectRecord> parseGraphObjects(const std::string& text, const std::
   std::vector<ObjectRecord> objects;
   for (const json& node : listOf(member(document, "nodes", where), where + ": nodes")) {
     const std::string id = nodeId(member(node, "id", where + ": nodes"));
-    const std::string at = where + ": node " + id;
+    std::string at = where;
+    at += ": node " + id;
     const std::string type = stringOf(member(node, "type", at), at + " type");
     if (type == "ROOM") rooms[id] = roomIdOf(node, at);
     if (type != "OBJECT") continue;

@@ -57,7 +57,7 @@ std::string shownShare(const std::optional<double>& value) {
 }
 
 std::string shownDifference(double value) {
-  const std::string size = shownShare(std::abs(value));
+  std::string size = shownShare(std::abs(value));
   if (size == ".000") return size;
   return (value < 0.0 ? "−" : "+") + size;
 }
