@@ -112,8 +112,8 @@ RunRecord importExternal(const Task& task, const OutputFolder& folder) {
     }
     return record;
   }
-  record.problem = from + ": has neither " + task.recording->scene + ".json nor " +
-                   task.recording->scene + "/rooms.json";
+  record.problem =
+      "no " + task.recording->scene + ".json among the predictions of " + task.configuration->name;
   return record;
 }
 

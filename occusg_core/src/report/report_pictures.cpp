@@ -133,9 +133,10 @@ std::string sceneBlock(const BatchResults& batch, const std::string& scene) {
   for (const std::string& name : batch.configurations) {
     const SceneResult* result = resultOf(batch, name, scene);
     if (result == nullptr || (result->predicted.empty() && result->truth.empty())) continue;
-    figures += "<figure class=\"scene\">" +
-               roomDrawing(*result, {boundsOf(*result), scene + ", " + name}) + "<figcaption>" +
-               sceneCaption(batch, *result) + "</figcaption></figure>\n";
+    std::string label = scene;
+    label.append(", ").append(name);
+    figures += "<figure class=\"scene\">" + roomDrawing(*result, {boundsOf(*result), label}) +
+               "<figcaption>" + sceneCaption(batch, *result) + "</figcaption></figure>\n";
   }
   if (figures.empty()) return "";
   return "<section class=\"scene\"><h3>" + escaped(scene) + "</h3><div class=\"row\">" + figures +

@@ -157,18 +157,16 @@ std::vector<HtmlRow> sideBySideHeader(const BatchResults& batch,
     for (std::size_t i = 0; i < columns; ++i)
       letters.push_back({letterOf(i), i == 0 ? "class=\"group\"" : ""});
   }
-  if (columns == 1)
-    return {[&] {
-      HtmlRow single{{"scene"}, {"GT"}};
-      for (const std::string& group : groups) single.push_back({group, "class=\"group\""});
-      return single;
-    }()};
-  return {names, letters};
+  if (columns > 1) return {names, letters};
+  HtmlRow single{{"scene"}, {"GT"}};
+  for (const std::string& group : groups) single.push_back({group, "class=\"group\""});
+  return {single};
 }
 
 HtmlTable sceneTable(const BatchResults& batch, std::size_t threshold, const std::string& shown) {
   const std::vector<Measure> measures = tableOneMeasures();
   std::vector<std::string> groups;
+  groups.reserve(measures.size());
   for (const Measure& measure : measures) groups.emplace_back(measure.name);
   HtmlTable table{"scenes-" + shown.substr(1),
                   "Rooms found at an IoU of at least " + shown + ".",
