@@ -31,6 +31,7 @@ std::vector<EvaluatedRoom> predictedRooms(const RoomsFile& file, std::vector<std
 
 std::vector<TruthRoom> truthRooms(const RoomsFile& file) {
   std::vector<TruthRoom> rooms;
+  rooms.reserve(file.rooms.size());
   for (const RoomRecord& record : file.rooms)
     rooms.push_back({record.id, record.polygon, record.level, record.further_parts});
   return rooms;
@@ -40,18 +41,21 @@ std::vector<std::string> labelsOf(const std::vector<EvaluatedRoom>& rooms, const
   std::map<int, std::string> label_of;
   for (const RoomRecord& record : file.rooms) label_of[record.id] = record.label;
   std::vector<std::string> labels;
+  labels.reserve(rooms.size());
   for (const EvaluatedRoom& room : rooms) labels.push_back(label_of[room.id]);
   return labels;
 }
 
 std::vector<RoomPair> pairsOf(const RoomsFile& file) {
   std::vector<RoomPair> pairs;
+  pairs.reserve(file.doors.size());
   for (const DoorRecord& door : file.doors) pairs.push_back({door.room_a, door.room_b});
   return pairs;
 }
 
 std::vector<Segment2> segmentsOf(const RoomsFile& file, const Point2& shift) {
   std::vector<Segment2> segments;
+  segments.reserve(file.doors.size());
   for (const DoorRecord& door : file.doors) {
     const Segment2& s = door.segment;
     segments.push_back({{s.a.x + shift.x, s.a.y + shift.y}, {s.b.x + shift.x, s.b.y + shift.y}});
@@ -61,6 +65,7 @@ std::vector<Segment2> segmentsOf(const RoomsFile& file, const Point2& shift) {
 
 std::vector<PlacedObject> placed(const std::vector<ObjectRecord>& records, const Point2& shift) {
   std::vector<PlacedObject> objects;
+  objects.reserve(records.size());
   for (const ObjectRecord& record : records) {
     objects.push_back(
         {record.label, {record.position.x + shift.x, record.position.y + shift.y}, record.room_id});
