@@ -103,10 +103,12 @@ occusg_add_floor(io
   SOURCES
     canvas.cpp
     decomposition_drawing.cpp
+    external_rooms.cpp
     file_bytes.cpp
     graph_json.cpp
     graphml_file.cpp
     grey_picture.cpp
+    house_file.cpp
     json_text.cpp
     label_picture.cpp
     label_placement.cpp
@@ -115,6 +117,7 @@ occusg_add_floor(io
     map_reader.cpp
     map_yaml.cpp
     object_labels.cpp
+    object_records.cpp
     occusg_1_0_file.cpp
     octomap_file.cpp
     octomap_scan.cpp
@@ -144,10 +147,29 @@ occusg_add_floor(evaluation
     assignment.cpp
     boundary_f1.cpp
     evaluated_room.cpp
+    metrics_json.cpp
+    observed_rooms.cpp
+    relation_metrics.cpp
     room_metrics.cpp
     room_metrics_mean.cpp
-    metrics_json.cpp
+    score_estimates.cpp
+    truth_check.cpp
   USES geometry
+  LIBRARIES nlohmann_json::nlohmann_json opencv_core opencv_imgproc)
+
+occusg_add_floor(report
+  SOURCES
+    companion_tables.cpp
+    html_text.cpp
+    report_cells.cpp
+    report_page.cpp
+    report_pictures.cpp
+    report_tables.cpp
+    results_files.cpp
+    room_drawing.cpp
+    scene_folder.cpp
+    scene_result.cpp
+  USES geometry perception mapping regions graph io evaluation
   LIBRARIES nlohmann_json::nlohmann_json)
 
 occusg_add_floor(pipeline

@@ -18,6 +18,10 @@ po::variables_map parse(const std::vector<std::string>& arguments, const Command
     all.add_options()(name.c_str(), po::value<std::string>());
     positionals.add(name.c_str(), 1);
   }
+  if (!help.repeated.empty()) {
+    all.add_options()(help.repeated.c_str(), po::value<std::vector<std::string>>());
+    positionals.add(help.repeated.c_str(), -1);
+  }
 
   po::variables_map values;
   try {
@@ -38,7 +42,9 @@ po::variables_map parse(const std::vector<std::string>& arguments, const Command
   } catch (const po::error& error) {
     throw UsageError(error.what());
   }
-  for (const std::string& name : help.positionals) {
+  std::vector<std::string> required = help.positionals;
+  if (!help.repeated.empty()) required.push_back(help.repeated);
+  for (const std::string& name : required) {
     if (values.count(name) == 0)
       throw UsageError(name + " is missing: the form is '" + help.synopsis + "'");
   }

@@ -24,6 +24,8 @@ struct CommandHelp {
   std::string synopsis;                  ///< "occusg eval PREDICTED TRUTH [options]".
   std::string description;               ///< What it does, what it reads and writes, examples.
   std::vector<std::string> positionals;  ///< Names of the positional arguments, all required.
+  /// Name of a last positional argument that is given once or more; empty for none.
+  std::string repeated = {};
 };
 
 /// Parsed options; empty when --help was asked for and has been printed.
@@ -63,5 +65,9 @@ ExitCode evalCommand(const std::vector<std::string>& arguments);
 ExitCode projectCommand(const std::vector<std::string>& arguments);
 ExitCode showCommand(const std::vector<std::string>& arguments);
 ExitCode configCommand(const std::vector<std::string>& arguments);
+ExitCode batchCommand(const std::vector<std::string>& arguments);
+ExitCode ablateCommand(const std::vector<std::string>& arguments);
+ExitCode mergeCommand(const std::vector<std::string>& arguments);
+ExitCode truthCommand(const std::vector<std::string>& arguments);
 
 }  // namespace occusg::apps

@@ -5,10 +5,13 @@
 #include <sstream>
 #include <utility>
 
+#include "batch_options.hpp"
 #include "command_line.hpp"
 #include "occusg/error.hpp"
 #include "occusg/evaluation/metrics_json.hpp"
 #include "occusg/evaluation/room_metrics.hpp"
+#include "occusg/evaluation/truth_check.hpp"
+#include "occusg/io/external_rooms.hpp"
 #include "occusg/io/label_picture.hpp"
 #include "occusg/io/rooms_file.hpp"
 #include "output_file.hpp"
@@ -42,13 +45,6 @@ po::options_description options() {
   return options;
 }
 
-Alignment alignmentNamed(const std::string& name) {
-  if (name == "none") return Alignment::kNone;
-  if (name == "centroid") return Alignment::kCentroid;
-  if (name == "search") return Alignment::kSearch;
-  throw UsageError("--align is '" + name + "'; allowed is none, centroid or search");
-}
-
 bool isPicture(const std::string& path) {
   return std::filesystem::path(path).extension() == ".png";
 }
@@ -67,7 +63,7 @@ std::vector<EvaluatedRoom> roomsOfPicture(const std::string& path,
 
 std::vector<EvaluatedRoom> roomsOfFile(const std::string& path) {
   std::vector<EvaluatedRoom> rooms;
-  for (const RoomRecord& record : readRooms(path).rooms) {
+  for (const RoomRecord& record : readExternalRooms(path, RingOrder::kAsWritten).rooms) {
     if (auto room = roomFrom(record.id, record.polygon)) {
       rooms.push_back(*std::move(room));
     } else {
@@ -78,8 +74,13 @@ std::vector<EvaluatedRoom> roomsOfFile(const std::string& path) {
   return rooms;
 }
 
-std::vector<EvaluatedRoom> roomsIn(const std::string& path, const po::variables_map& values) {
-  return isPicture(path) ? roomsOfPicture(path, values) : roomsOfFile(path);
+std::vector<EvaluatedRoom> truthOfFile(const std::string& path) {
+  std::vector<TruthRoom> rooms;
+  for (const RoomRecord& record : readRooms(path, RingOrder::kAsWritten).rooms)
+    rooms.push_back({record.id, record.polygon, record.level, record.further_parts});
+  SoundTruth truth = soundTruth(rooms, path);
+  for (const std::string& note : truth.notes) std::cerr << "occusg: " << note << '\n';
+  return std::move(truth.rooms);
 }
 
 std::string shown(const std::optional<double>& value) {
@@ -113,8 +114,12 @@ ExitCode evalCommand(const std::vector<std::string>& arguments) {
 
   RoomMetricsOptions metrics_options;
   metrics_options.alignment = alignmentNamed(values["align"].as<std::string>());
-  const auto predicted = roomsIn(values["PREDICTED"].as<std::string>(), values);
-  const auto truth = roomsIn(values["TRUTH"].as<std::string>(), values);
+  const std::string predicted_path = values["PREDICTED"].as<std::string>();
+  const std::string truth_path = values["TRUTH"].as<std::string>();
+  const auto predicted = isPicture(predicted_path) ? roomsOfPicture(predicted_path, values)
+                                                   : roomsOfFile(predicted_path);
+  const auto truth =
+      isPicture(truth_path) ? roomsOfPicture(truth_path, values) : truthOfFile(truth_path);
   const RoomMetrics metrics = evaluateRooms(predicted, truth, metrics_options);
   print(metrics);
   if (values.count("json") > 0) OutputFile(values["json"].as<std::string>()).write(toJson(metrics));

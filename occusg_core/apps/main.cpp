@@ -16,8 +16,10 @@ namespace {
 using Command = std::function<ExitCode(const std::vector<std::string>&)>;
 
 std::map<std::string, Command> commands() {
-  return {{"run", runCommand},   {"segment", segmentCommand}, {"project", projectCommand},
-          {"show", showCommand}, {"eval", evalCommand},       {"config", configCommand}};
+  return {{"run", runCommand},       {"segment", segmentCommand}, {"project", projectCommand},
+          {"show", showCommand},     {"eval", evalCommand},       {"batch", batchCommand},
+          {"ablate", ablateCommand}, {"merge", mergeCommand},     {"truth", truthCommand},
+          {"config", configCommand}};
 }
 
 constexpr const char* kHelp =
@@ -31,6 +33,10 @@ Commands:
   project MAP -o OUT        make the 2D map of an OctoMap (.bt, .ot)
   show FILE                 print a scene_graph.json, or ask it a question
   eval PREDICTED TRUTH      compare predicted rooms with annotated ones
+  batch SEQUENCE... -o OUT  run and compare many recordings, write tables and a report
+  ablate SEQUENCE... -o OUT the same over values of one parameter
+  merge FOLDER... -o OUT    tables and report of batches run in shards
+  truth mp3d HOUSE -o FILE  annotated rooms from a Matterport3D .house file
   config --print            write all parameters with units, ranges and the paper's values
 
 Each command explains itself: occusg COMMAND --help

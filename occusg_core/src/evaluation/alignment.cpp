@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <string>
 #include <utility>
 
@@ -44,65 +47,43 @@ Bounds2 boundsOf(const std::vector<EvaluatedRoom>& rooms) {
   return all;
 }
 
-/// Index of the first cell centre at or above `value` cells, kept within [low, high].
-int firstCenterFrom(double value, int low, int high) {
-  const double index = std::ceil(value - 0.5);
-  return static_cast<int>(std::clamp(index, static_cast<double>(low), static_cast<double>(high)));
+/// Bits of sub-cell precision in which vertices are handed to the painter.
+constexpr int kShift = 4;
+/// Cells beyond which a vertex is pulled in: far outside every box, and no overflow.
+constexpr double kFarthest_cells = 1e6;
+
+/// A ring in sub-cells from the lower left cell of `box`, cell centres at whole numbers. The
+/// lattice begins at `origin`.
+std::vector<cv::Point> paintable(const Ring& ring, const Point2& origin, const CellBox& box) {
+  constexpr double kPerCell = 1 << kShift;
+  const auto toSubcells = [&](double value, double start, int first) {
+    const double cells =
+        std::clamp((value - start) / kAlignmentCell_m - 0.5, -kFarthest_cells, kFarthest_cells);
+    return static_cast<int>(std::nearbyint(cells * kPerCell)) - first * (1 << kShift);
+  };
+  std::vector<cv::Point> points;
+  points.reserve(ring.size());
+  for (const Point2& point : ring) {
+    points.emplace_back(toSubcells(point.x, origin.x, box.min.x),
+                        toSubcells(point.y, origin.y, box.min.y));
+  }
+  return points;
 }
 
-/// Where the rings of a polygon cross the middle of each row of a box, in cells.
-class RowCrossings {
- public:
-  explicit RowCrossings(const CellBox& box)
-      : box_(box), rows_(static_cast<std::size_t>(box.height())) {}
-
-  void add(const Ring& ring, const Point2& origin) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2 a = inCells(ring[i], origin);
-      const Point2 b = inCells(ring[i + 1 < ring.size() ? i + 1 : 0], origin);
-      const int first = firstCenterFrom(std::min(a.y, b.y), box_.min.y, box_.max.y);
-      const int last = firstCenterFrom(std::max(a.y, b.y), box_.min.y, box_.max.y);
-      for (int y = first; y < last; ++y)
-        row(y).push_back(a.x + (y + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x));
-    }
-  }
-
-  /// Adds one to every cell whose centre is inside.
-  void countInto(Coverage& coverage) {
-    for (int y = box_.min.y; y < box_.max.y; ++y) {
-      std::vector<double>& crossings = row(y);
-      std::sort(crossings.begin(), crossings.end());
-      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-        const int end = firstCenterFrom(crossings[i + 1], box_.min.x, box_.max.x);
-        for (int x = firstCenterFrom(crossings[i], box_.min.x, box_.max.x); x < end; ++x)
-          ++coverage.at({x, y});
-      }
-      crossings.clear();
-    }
-  }
-
- private:
-  [[nodiscard]] static Point2 inCells(const Point2& point, const Point2& origin) {
-    return {(point.x - origin.x) / kAlignmentCell_m, (point.y - origin.y) / kAlignmentCell_m};
-  }
-  [[nodiscard]] std::vector<double>& row(int y) {
-    return rows_[static_cast<std::size_t>(y - box_.min.y)];
-  }
-
-  CellBox box_;
-  std::vector<std::vector<double>> rows_;
-};
-
-/// How many rooms cover each cell of `box`, counted from `origin`; cell centres decide.
+/// How many rooms cover each cell of `box`, counted from `origin`; cells an outline passes through
+/// are covered.
 Coverage coverageOf(const std::vector<EvaluatedRoom>& rooms, const Point2& origin,
                     const CellBox& box) {
   Coverage coverage(box, 0);
-  RowCrossings crossings(box);
+  cv::Mat painted(box.height(), box.width(), CV_8UC1);
   for (const EvaluatedRoom& room : rooms) {
     for (const Polygon& part : room.parts) {
-      crossings.add(part.outer, origin);
-      for (const Ring& hole : part.holes) crossings.add(hole, origin);
-      crossings.countInto(coverage);
+      std::vector<std::vector<cv::Point>> rings{paintable(part.outer, origin, box)};
+      for (const Ring& hole : part.holes) rings.push_back(paintable(hole, origin, box));
+      painted.setTo(0);
+      cv::fillPoly(painted, rings, 1, cv::LINE_8, kShift);
+      std::transform(painted.begin<std::uint8_t>(), painted.end<std::uint8_t>(),
+                     coverage.values().begin(), coverage.values().begin(), std::plus<>());
     }
   }
   return coverage;
@@ -122,59 +103,73 @@ std::int64_t overlap(const Coverage& predicted, const Coverage& truth, const Cel
   return sum;
 }
 
-/// The predicted rooms rastered once, against which starts are scored.
-class ShiftSearch {
- public:
-  explicit ShiftSearch(const std::vector<EvaluatedRoom>& predicted) {
-    const Bounds2 box = boundsOf(predicted);
-    const double width = std::floor((box.max.x - box.min.x) / kAlignmentCell_m) + 1.0;
-    const double height = std::floor((box.max.y - box.min.y) / kAlignmentCell_m) + 1.0;
-    if (!((width + 2 * kReach_cells) * (height + 2 * kReach_cells) <= kMaxAlignmentCells)) {
-      throw refuse("predicted rooms",
-                   "bounds of " + std::to_string(box.max.x - box.min.x) + " m by " +
-                       std::to_string(box.max.y - box.min.y) + " m",
-                   "must, with 10 m all round, be at most " +
-                       std::to_string(kMaxAlignmentCells * kAlignmentCell_m * kAlignmentCell_m) +
-                       " m2 to search an alignment");
-    }
-    origin_ = box.min;
-    predicted_ = coverageOf(predicted, origin_,
-                            {{0, 0}, {static_cast<int>(width), static_cast<int>(height)}});
-  }
+/// Both sides rastered with the annotated rooms at one start.
+struct Rastered {
+  Point2 start;
+  Coverage predicted;
+  Coverage truth;
 
-  /// The annotated rooms, moved by `start`, where the search can bring them under the predicted.
-  [[nodiscard]] Coverage truthNear(const std::vector<EvaluatedRoom>& truth,
-                                   const Point2& start) const {
-    const Point2 moved_back{origin_.x - start.x, origin_.y - start.y};
-    return coverageOf(truth, moved_back, predicted_.box().grown(kReach_cells));
-  }
-
-  [[nodiscard]] std::int64_t scoreAtStart(const Coverage& truth) const {
-    return overlap(predicted_, truth, {0, 0});
-  }
-
-  [[nodiscard]] Point2 bestShift(const Coverage& truth) const {
-    Cell best{0, 0};
-    std::int64_t best_score = scoreAtStart(truth);
-    const auto squared = [](const Cell& step) { return step.x * step.x + step.y * step.y; };
-    for (int y = -kSteps; y <= kSteps; ++y) {
-      for (int x = -kSteps; x <= kSteps; ++x) {
-        const std::int64_t score =
-            overlap(predicted_, truth, {x * kCellsPerStep, y * kCellsPerStep});
-        const Cell step{x, y};
-        const bool ties_shorter = score == best_score && squared(step) < squared(best);
-        if (score < best_score || (score == best_score && !ties_shorter)) continue;
-        best = step;
-        best_score = score;
-      }
-    }
-    return {best.x * kAlignmentStep_m, best.y * kAlignmentStep_m};
-  }
-
- private:
-  Point2 origin_;
-  Coverage predicted_;
+  [[nodiscard]] std::int64_t scoreAtStart() const { return overlap(predicted, truth, {0, 0}); }
 };
+
+void requireSearchable(const Bounds2& box) {
+  const double width = std::floor((box.max.x - box.min.x) / kAlignmentCell_m) + 2.0;
+  const double height = std::floor((box.max.y - box.min.y) / kAlignmentCell_m) + 2.0;
+  if ((width + 2 * kReach_cells) * (height + 2 * kReach_cells) <= kMaxAlignmentCells) return;
+  throw refuse("predicted rooms",
+               "bounds of " + std::to_string(box.max.x - box.min.x) + " m by " +
+                   std::to_string(box.max.y - box.min.y) + " m",
+               "must, with 10 m all round, be at most " +
+                   std::to_string(kMaxAlignmentCells * kAlignmentCell_m * kAlignmentCell_m) +
+                   " m2 to search an alignment");
+}
+
+/// The lattice begins at the lower left of all rooms, one step more than the radius away.
+Rastered rasteredAt(const Point2& start, const std::vector<EvaluatedRoom>& predicted,
+                    const std::vector<EvaluatedRoom>& truth) {
+  std::vector<EvaluatedRoom> moved;
+  moved.reserve(truth.size());
+  for (const EvaluatedRoom& room : truth) moved.push_back(translated(room, start));
+  const Bounds2 of_predicted = boundsOf(predicted);
+  const Bounds2 of_truth = boundsOf(moved);
+  constexpr double kPadding_m = kAlignmentRadius_m + kAlignmentStep_m;
+  // Rooms out of reach may lie anywhere; the lattice then need not begin with them.
+  const auto low = [](double p, double t) {
+    return (t < p && t > p - kFarthest_cells * kAlignmentCell_m / 2.0 ? t : p) - kPadding_m;
+  };
+  const Point2 origin{low(of_predicted.min.x, of_truth.min.x),
+                      low(of_predicted.min.y, of_truth.min.y)};
+  const auto cell = [](double value, double from) {
+    return static_cast<int>(std::floor((value - from) / kAlignmentCell_m));
+  };
+  // A cell more all round: outlines are painted, too.
+  const CellBox box = CellBox{
+      {cell(of_predicted.min.x, origin.x), cell(of_predicted.min.y, origin.y)},
+      {cell(of_predicted.max.x, origin.x) + 1,
+       cell(of_predicted.max.y, origin.y) +
+           1}}.grown(1);
+  return {start, coverageOf(predicted, origin, box),
+          coverageOf(moved, origin, box.grown(kReach_cells))};
+}
+
+/// Of the lattice of steps from the start.
+Point2 bestStep(const Rastered& rastered) {
+  Cell best{0, 0};
+  std::int64_t best_score = rastered.scoreAtStart();
+  const auto squared = [](const Cell& step) { return step.x * step.x + step.y * step.y; };
+  for (int y = -kSteps; y <= kSteps; ++y) {
+    for (int x = -kSteps; x <= kSteps; ++x) {
+      const std::int64_t score =
+          overlap(rastered.predicted, rastered.truth, {x * kCellsPerStep, y * kCellsPerStep});
+      const Cell step{x, y};
+      const bool ties_shorter = score == best_score && squared(step) < squared(best);
+      if (score < best_score || (score == best_score && !ties_shorter)) continue;
+      best = step;
+      best_score = score;
+    }
+  }
+  return {best.x * kAlignmentStep_m, best.y * kAlignmentStep_m};
+}
 
 }  // namespace
 
@@ -186,20 +181,18 @@ Point2 alignmentShift(const std::vector<EvaluatedRoom>& predicted,
   const Point2 from = meanCentroid(truth);
   Point2 start{to.x - from.x, to.y - from.y};
   if (alignment == Alignment::kCentroid) return start;
-  const ShiftSearch search(predicted);
-  Coverage moved = search.truthNear(truth, start);
+  requireSearchable(boundsOf(predicted));
+  Rastered rastered = rasteredAt(start, predicted, truth);
   if (first_robot_position) {
     const Point2 other{-first_robot_position->x, -first_robot_position->y};
     if (!std::isfinite(other.x) || !std::isfinite(other.y))
       throw refuse("first robot position", "not finite", "must be in metres of the map frame");
-    Coverage moved_other = search.truthNear(truth, other);
-    if (search.scoreAtStart(moved_other) >= search.scoreAtStart(moved)) {
-      start = other;
-      moved = std::move(moved_other);
-    }
+    Rastered other_rastered = rasteredAt(other, predicted, truth);
+    if (other_rastered.scoreAtStart() >= rastered.scoreAtStart())
+      rastered = std::move(other_rastered);
   }
-  const Point2 shift = search.bestShift(moved);
-  return {start.x + shift.x, start.y + shift.y};
+  const Point2 step = bestStep(rastered);
+  return {rastered.start.x + step.x, rastered.start.y + step.y};
 }
 
 }  // namespace occusg

@@ -16,15 +16,22 @@ Ring withoutRepetitions(Ring ring) {
   return ring;
 }
 
-}  // namespace
-
-std::optional<EvaluatedRoom> roomFrom(int id, const Polygon& polygon) {
-  checkCoordinates(polygon, "room " + std::to_string(id));
+Polygon withoutRepetitions(const Polygon& polygon) {
   Polygon clean{withoutRepetitions(polygon.outer), {}};
   for (const Ring& hole : polygon.holes) {
     Ring kept = withoutRepetitions(hole);
     if (kept.size() >= 3) clean.holes.push_back(std::move(kept));
   }
+  return clean;
+}
+
+}  // namespace
+
+bool isSound(const Polygon& polygon) { return isSimple(withoutRepetitions(polygon)); }
+
+std::optional<EvaluatedRoom> roomFrom(int id, const Polygon& polygon) {
+  checkCoordinates(polygon, "room " + std::to_string(id));
+  Polygon clean = withoutRepetitions(polygon);
   EvaluatedRoom room{id, {}};
   if (isSimple(clean)) {
     room.parts.push_back(std::move(clean));

@@ -121,7 +121,7 @@ ThresholdMetrics metricsAt(double threshold, const std::vector<MatchedRooms>& ma
   double iou_sum = 0.0;
   double boundary_f1_sum = 0.0;
   for (const MatchedRooms& pair : matched) {
-    if (!atLeast(pair.iou, threshold)) continue;
+    if (!isValidMatch(pair, threshold)) continue;
     metrics.matches += 1.0;
     iou_sum += pair.iou;
     boundary_f1_sum += pair.boundary_f1;
@@ -241,6 +241,10 @@ void addFlags(const RoomMetricsOptions& options, RoomMetrics& metrics) {
 }
 
 }  // namespace
+
+bool isValidMatch(const MatchedRooms& pair, double threshold) {
+  return atLeast(pair.iou, threshold);
+}
 
 RoomMetrics evaluateRooms(const std::vector<EvaluatedRoom>& predicted,
                           const std::vector<EvaluatedRoom>& truth,

@@ -28,15 +28,6 @@ constexpr std::array<double ThresholdMetrics::*, 7> kThresholdScores{
     &ThresholdMetrics::f1,         &ThresholdMetrics::mean_iou_gt, &ThresholdMetrics::mean_iou_full,
     &ThresholdMetrics::boundary_f1};
 
-void requireSameThresholds(const RoomMetrics& scene, const RoomMetrics& first, std::size_t index) {
-  bool same = scene.at.size() == first.at.size();
-  for (std::size_t i = 0; same && i < scene.at.size(); ++i)
-    same = scene.at[i].threshold == first.at[i].threshold;
-  if (same) return;
-  throw refuse("scene " + std::to_string(index), "thresholds differ from those of scene 0",
-               "must be the same in all scenes to be averaged");
-}
-
 /// Mean at threshold `index`; the mean IoU is averaged over the scenes that have one.
 ThresholdMetrics meanAt(const std::vector<RoomMetrics>& scenes, std::size_t index) {
   ThresholdMetrics mean;
@@ -56,6 +47,15 @@ ThresholdMetrics meanAt(const std::vector<RoomMetrics>& scenes, std::size_t inde
 }
 
 }  // namespace
+
+void requireSameThresholds(const RoomMetrics& scene, const RoomMetrics& first, std::size_t index) {
+  bool same = scene.at.size() == first.at.size();
+  for (std::size_t i = 0; same && i < scene.at.size(); ++i)
+    same = scene.at[i].threshold == first.at[i].threshold;
+  if (same) return;
+  throw refuse("scene " + std::to_string(index), "thresholds differ from those of scene 0",
+               "must be the same in all scenes to be averaged");
+}
 
 RoomMetricsMean macroMean(const std::vector<RoomMetrics>& scenes) {
   RoomMetricsMean mean;

@@ -148,6 +148,36 @@ bool comesFirst(const Polygon& a, const Polygon& b) {
   return p.x != q.x ? p.x < q.x : p.y < q.y;
 }
 
+/// The pieces `rest` encloses under the even-odd rule, each simple; largest first.
+std::vector<Polygon> disentangled(Paths rest) {
+  std::vector<Polygon> pieces;
+  double shaving = 1.0;
+  for (int round = 0; round <= kMaxShavings && !rest.empty(); ++round) {
+    Paths entangled;
+    for (Polygon& piece : evenOddUnion(rest)) {
+      if (isSimple(piece)) {
+        pieces.push_back(std::move(piece));
+      } else {
+        addTo(entangled, piece);
+      }
+    }
+    // Clipper leaves rings that touch themselves or each other in the middle of an edge.
+    shaving *= 2.0;
+    rest = shaved(entangled, shaving);
+  }
+  std::sort(pieces.begin(), pieces.end(), comesFirst);
+  return pieces;
+}
+
+std::vector<Polygon> combined(const Paths& subject, const Paths& clip, ClipperLib::ClipType how) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
+  clipper.AddPaths(clip, ClipperLib::ptClip, true);
+  Paths result;
+  clipper.Execute(how, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return disentangled(std::move(result));
+}
+
 }  // namespace
 
 void checkCoordinates(const Polygon& polygon, const std::string& where) {
@@ -179,24 +209,26 @@ double coveredArea(const Polygon& polygon, const std::vector<Polygon>& others) {
 
 std::vector<Polygon> repaired(const Polygon& polygon) {
   checkCoordinates(polygon, "polygon");
-  Paths rest = toLattice(polygon);
-  std::vector<Polygon> pieces;
-  double shaving = 1.0;
-  for (int round = 0; round <= kMaxShavings && !rest.empty(); ++round) {
-    Paths entangled;
-    for (Polygon& piece : evenOddUnion(rest)) {
-      if (isSimple(piece)) {
-        pieces.push_back(std::move(piece));
-      } else {
-        addTo(entangled, piece);
-      }
-    }
-    // Clipper leaves rings that touch themselves or each other in the middle of an edge.
-    shaving *= 2.0;
-    rest = shaved(entangled, shaving);
+  return disentangled(toLattice(polygon));
+}
+
+std::vector<Polygon> united(const std::vector<Polygon>& polygons) {
+  Paths paths;
+  for (const Polygon& polygon : polygons) {
+    checkCoordinates(polygon, "polygon");
+    if (!polygon.outer.empty()) addTo(paths, polygon);
   }
-  std::sort(pieces.begin(), pieces.end(), comesFirst);
-  return pieces;
+  return combined(paths, {}, ClipperLib::ctUnion);
+}
+
+std::vector<Polygon> difference(const Polygon& polygon, const std::vector<Polygon>& others) {
+  checkCoordinates(polygon, "polygon");
+  Paths cover;
+  for (const Polygon& other : others) {
+    checkCoordinates(other, "polygon");
+    if (boundsOverlap(polygon, other)) addTo(cover, other);
+  }
+  return combined(toLattice(polygon), cover, ClipperLib::ctDifference);
 }
 
 }  // namespace occusg

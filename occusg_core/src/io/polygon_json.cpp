@@ -7,20 +7,10 @@
 
 #include "io/json_text.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/rooms_file.hpp"
 
 namespace occusg {
 
 using nlohmann::json;
-
-namespace {
-
-Ring oriented(Ring ring, double sign) {
-  if (signedArea(ring) * sign < 0.0) std::reverse(ring.begin(), ring.end());
-  return ring;
-}
-
-}  // namespace
 
 double coordinateOf(const json& value, const std::string& where) {
   const double coordinate = numberOf(value, where);
@@ -62,15 +52,21 @@ Ring RingReader::read(const json& value, const std::string& where) {
   return ring;
 }
 
+Ring RingReader::wound(Ring ring, Winding winding) const {
+  const bool is_wrong = signedArea(ring) * static_cast<int>(winding) < 0.0;
+  if (order_ == RingOrder::kOriented && is_wrong) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
 Polygon RingReader::polygonOf(const json& value, const std::string& where) {
   Polygon polygon;
-  polygon.outer = oriented(read(member(value, "polygon", where), where + " polygon"), 1.0);
+  polygon.outer = wound(read(member(value, "polygon", where), where + " polygon"), Winding::kOuter);
   const json* holes = optionalMember(value, "holes", where);
   if (holes == nullptr) return polygon;
   const std::size_t count = arrayOf(*holes, where + " holes").size();
   for (std::size_t i = 0; i < count; ++i) {
     polygon.holes.push_back(
-        oriented(read((*holes)[i], where + " hole " + std::to_string(i)), -1.0));
+        wound(read((*holes)[i], where + " hole " + std::to_string(i)), Winding::kHole));
   }
   return polygon;
 }

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "occusg/geometry/polygon.hpp"
+#include "occusg/io/rooms_file.hpp"
 
 namespace occusg {
 
@@ -21,15 +23,23 @@ namespace occusg {
 /// Reads rings until the file's share of vertices is used up.
 class RingReader {
  public:
-  explicit RingReader(std::string file) : file_(std::move(file)) {}
+  explicit RingReader(std::string file, RingOrder order = RingOrder::kOriented)
+      : file_(std::move(file)), order_(order) {}
 
   /// A ring of at least three vertices, without a repeated last one.
   [[nodiscard]] Ring read(const nlohmann::json& value, const std::string& where);
-  /// The members "polygon" and, if there, "holes"; outer ring counter-clockwise, holes clockwise.
+  /// The members "polygon" and, if there, "holes"; outer ring counter-clockwise, holes clockwise,
+  /// unless the order is that of the file.
   [[nodiscard]] Polygon polygonOf(const nlohmann::json& value, const std::string& where);
 
  private:
+  /// Sign of the area of a ring as `Polygon` asks for.
+  enum class Winding { kOuter = 1, kHole = -1 };
+
+  [[nodiscard]] Ring wound(Ring ring, Winding winding) const;
+
   std::string file_;
+  RingOrder order_;
   std::size_t vertices_ = 0;
 };
 

@@ -26,10 +26,16 @@ RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
   if (const json* label = optionalMember(value, "label", where); label != nullptr)
     room.label = stringOf(*label, where + " label");
   room.polygon = rings.polygonOf(value, where);
+  if (const json* level = optionalMember(value, "level", where); level != nullptr)
+    room.level = integerOf(*level, where + " level");
+  const json* parts = optionalMember(value, "further_parts", where);
+  if (parts == nullptr) return room;
+  for (const json& part : arrayOf(*parts, where + " further_parts"))
+    room.further_parts.push_back(rings.polygonOf(part, where + " further part"));
   return room;
 }
 
-std::vector<RoomRecord> roomsOf(const json& values, const std::string& file) {
+std::vector<RoomRecord> roomsOf(const json& values, const std::string& file, RingOrder order) {
   if (arrayOf(values, file + ": rooms").size() > kMaxRooms) {
     throw refuse(file, "has " + std::to_string(values.size()) + " rooms",
                  "at most " + std::to_string(kMaxRooms) + " are read");
@@ -37,7 +43,7 @@ std::vector<RoomRecord> roomsOf(const json& values, const std::string& file) {
   std::vector<RoomRecord> rooms;
   rooms.reserve(values.size());
   std::set<int> ids;
-  RingReader rings(file);
+  RingReader rings(file, order);
   for (std::size_t i = 0; i < values.size(); ++i) {
     rooms.push_back(roomOf(values[i], file, i, rings));
     if (!ids.insert(rooms.back().id).second) {
@@ -46,6 +52,12 @@ std::vector<RoomRecord> roomsOf(const json& values, const std::string& file) {
     }
   }
   return rooms;
+}
+
+json jsonOf(const Polygon& polygon) {
+  json holes = json::array();
+  for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
+  return {{"polygon", jsonOf(polygon.outer)}, {"holes", std::move(holes)}};
 }
 
 DoorRecord doorOf(const json& value, const std::string& where, const std::set<int>& room_ids) {
@@ -85,7 +97,7 @@ std::vector<DoorRecord> doorsOf(const json& values, const std::string& file,
 
 }  // namespace
 
-RoomsFile parseRooms(const std::string& text, const std::string& where) {
+RoomsFile parseRooms(const std::string& text, const std::string& where, RingOrder order) {
   const json document = parseJson(text, where);
   RoomsFile file;
   if (const json* scene = optionalMember(document, "scene", where); scene != nullptr)
@@ -94,25 +106,25 @@ RoomsFile parseRooms(const std::string& text, const std::string& where) {
     file.frame = stringOf(*frame, where + ": frame");
   if (const json* floor = optionalMember(document, "floor_z", where); floor != nullptr)
     file.floor_z_m = coordinateOf(*floor, where + ": floor_z");
-  file.rooms = roomsOf(member(document, "rooms", where), where);
+  file.rooms = roomsOf(member(document, "rooms", where), where, order);
   if (const json* doors = optionalMember(document, "doors", where); doors != nullptr)
     file.doors = doorsOf(*doors, where, file.rooms);
   return file;
 }
 
-RoomsFile readRooms(const std::string& path) {
-  return parseRooms(readFile(path, kMaxFileBytes), path);
+RoomsFile readRooms(const std::string& path, RingOrder order) {
+  return parseRooms(readFile(path, kMaxFileBytes), path, order);
 }
 
 std::string toJson(const RoomsFile& file) {
   json rooms = json::array();
   for (const RoomRecord& room : file.rooms) {
-    json holes = json::array();
-    for (const Ring& hole : room.polygon.holes) holes.push_back(jsonOf(hole));
-    rooms.push_back({{"id", room.id},
-                     {"label", room.label},
-                     {"polygon", jsonOf(room.polygon.outer)},
-                     {"holes", std::move(holes)}});
+    json object = jsonOf(room.polygon);
+    object["id"] = room.id;
+    object["label"] = room.label;
+    if (room.level != 0) object["level"] = room.level;
+    for (const Polygon& part : room.further_parts) object["further_parts"].push_back(jsonOf(part));
+    rooms.push_back(std::move(object));
   }
   json doors = json::array();
   for (const DoorRecord& door : file.doors) {

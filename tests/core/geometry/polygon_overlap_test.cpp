@@ -250,5 +250,35 @@ TEST(Repaired, TanglesThatTouchThemselvesEverywhereStillGiveSimplePieces) {
   }
 }
 
+TEST(UnitedPolygons, CoverEachPlaceOnce) {
+  const auto united_boxes =
+      united({{box(0, 0, 4, 4), {}}, {box(2, 2, 6, 6), {}}, {box(20, 0, 21, 1), {}}, {}});
+  ASSERT_EQ(united_boxes.size(), 2U);
+  EXPECT_NEAR(area(united_boxes[0]), 28.0, 1e-6);
+  EXPECT_NEAR(area(united_boxes[1]), 1.0, 1e-6);
+  EXPECT_TRUE(united({}).empty());
+}
+
+TEST(UnitedPolygons, TheWayARingRunsDoesNotMatter) {
+  EXPECT_NEAR(totalArea(united({{box(0, 0, 4, 4), {}}, {reversed(box(2, 2, 6, 6)), {}}})), 28.0,
+              1e-6);
+}
+
+TEST(UnitedPolygons, RoomsAroundACourtLeaveAHole) {
+  const auto ring = united(
+      {{box(0, 0, 6, 1), {}}, {box(0, 5, 6, 6), {}}, {box(0, 0, 1, 6), {}}, {box(5, 0, 6, 6), {}}});
+  ASSERT_EQ(ring.size(), 1U);
+  EXPECT_EQ(ring[0].holes.size(), 1U);
+  EXPECT_NEAR(area(ring[0]), 20.0, 1e-6);
+}
+
+TEST(DifferenceOfPolygons, IsWhatTheOthersLeave) {
+  const Polygon hall{box(0, 0, 8, 4), {}};
+  EXPECT_NEAR(totalArea(difference(hall, {{box(1, 1, 3, 3), {}}})), 28.0, 1e-6);
+  EXPECT_EQ(difference(hall, {{box(3, -1, 5, 5), {}}}).size(), 2U);
+  EXPECT_TRUE(difference(hall, {{box(-1, -1, 9, 9), {}}}).empty());
+  EXPECT_NEAR(totalArea(difference(hall, {{box(20, 0, 21, 1), {}}})), 32.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace occusg

@@ -26,7 +26,8 @@ inline constexpr double kMaxAlignmentCells = 2.5e7;
 /// kSearch starts at the centroid shift, or at minus `first_robot_position` when that is given and
 /// overlaps at least as much, and tries every shift within `kAlignmentRadius_m` on a lattice of
 /// `kAlignmentStep_m`. The score of a shift is the sum of the intersection areas of all pairs of a
-/// predicted and an annotated room. Ties keep the start, then take the shorter shift, then the
+/// predicted and an annotated room, on a raster whose cells an outline passes through count as
+/// covered. Ties keep the start, then take the shorter shift, then the
 /// lower in y, then in x.
 /// @throws Error when kSearch would need more than `kMaxAlignmentCells`, or `first_robot_position`
 /// is not finite.

@@ -24,6 +24,9 @@ struct EvaluatedRoom {
 /// @throws Error when a coordinate is not finite or beyond `kMaxCoordinate_m`.
 [[nodiscard]] std::optional<EvaluatedRoom> roomFrom(int id, const Polygon& polygon);
 
+/// Whether `roomFrom` keeps the vertices: nothing crosses or touches itself but for repeated ones.
+[[nodiscard]] bool isSound(const Polygon& polygon);
+
 /// Area of all parts [m2].
 [[nodiscard]] double area(const EvaluatedRoom& room);
 /// Centroid of all parts, weighted by area [m].

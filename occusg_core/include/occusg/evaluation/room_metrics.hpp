@@ -66,6 +66,9 @@ struct MatchedRooms {
   double boundary_f1 = 0.0;
 };
 
+/// Whether the pair's IoU reaches `threshold`, whatever was rounded.
+[[nodiscard]] bool isValidMatch(const MatchedRooms& pair, double threshold);
+
 /// Metrics of one scene.
 struct RoomMetrics : RoomScores {
   std::size_t n_predicted = 0;
@@ -97,6 +100,9 @@ struct RoomMetricsMean : RoomScores {
 [[nodiscard]] RoomMetrics evaluateRooms(const std::vector<EvaluatedRoom>& predicted,
                                         const std::vector<EvaluatedRoom>& truth,
                                         const RoomMetricsOptions& options = {});
+
+/// @throws Error naming scene `index` unless it has the thresholds of `first`, scene 0.
+void requireSameThresholds(const RoomMetrics& scene, const RoomMetrics& first, std::size_t index);
 
 /// Macro mean: every scene counts the same. A mean IoU is averaged over the scenes that have one.
 /// @throws Error when the scenes differ in their thresholds.

@@ -32,4 +32,11 @@ void checkCoordinates(const Polygon& polygon, const std::string& where);
 /// few lattice steps all round, which frees it. Largest first; empty when nothing is left.
 [[nodiscard]] std::vector<Polygon> repaired(const Polygon& polygon);
 
+/// Valid polygons that do not overlap and cover what any of `polygons` covers. Largest first.
+[[nodiscard]] std::vector<Polygon> united(const std::vector<Polygon>& polygons);
+
+/// Valid polygons that cover what `polygon` covers and none of `others` does. Largest first.
+[[nodiscard]] std::vector<Polygon> difference(const Polygon& polygon,
+                                              const std::vector<Polygon>& others);
+
 }  // namespace occusg

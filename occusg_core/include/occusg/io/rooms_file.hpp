@@ -14,6 +14,8 @@ struct RoomRecord {
   int id = 0;
   std::string label;
   Polygon polygon;  ///< Map frame [m].
+  int level = 0;    ///< Storey; rooms of different storeys may lie above each other.
+  std::vector<Polygon> further_parts = {};  ///< Of a room that is not in one piece.
 };
 
 /// Two rooms that meet, and where: a door or an opening.
@@ -25,7 +27,8 @@ struct DoorRecord {
 
 /// `rooms.json`, prediction and ground truth alike:
 /// {"scene", "frame", "floor_z", "rooms": [{"id", "label", "polygon": [[x, y], ...], "holes"}],
-/// "doors": [{"rooms": [id, id], "segment": [[x, y], [x, y]]}]}.
+/// "doors": [{"rooms": [id, id], "segment": [[x, y], [x, y]]}]}. A room may also have "level", its
+/// storey, and "further_parts", a list of {"polygon", "holes"}.
 struct RoomsFile {
   std::string scene;
   std::string frame = "map";
@@ -39,16 +42,22 @@ inline constexpr std::size_t kMaxRooms = 10'000;
 inline constexpr std::size_t kMaxRoomVertices = 100'000;  ///< Of all rooms together.
 inline constexpr double kMaxRoomCoordinate_m = 1e6;
 
+/// Which way round the rings of a file come out.
+enum class RingOrder {
+  kOriented,   ///< As `Polygon` asks for.
+  kAsWritten,  ///< As in the file, for what depends on where a ring starts and how it runs.
+};
+
 /// Reads the text of a `rooms.json`. Only "rooms", and in it "id" and "polygon", are required;
-/// other keys may be absent, and keys not named above are ignored. Rings come out in the
-/// orientation `Polygon` asks for and without a repeated last vertex; they are not checked to be
-/// simple.
+/// other keys may be absent, and keys not named above are ignored. Rings come out without a
+/// repeated last vertex; they are not checked to be simple.
 /// @param where opens every sentence; the file's path.
 /// @throws Error naming the room and the value that cannot be used.
-[[nodiscard]] RoomsFile parseRooms(const std::string& text, const std::string& where);
+[[nodiscard]] RoomsFile parseRooms(const std::string& text, const std::string& where,
+                                   RingOrder order = RingOrder::kOriented);
 
 /// @throws Error as `parseRooms`, or when the file cannot be read or exceeds 64 MiB.
-[[nodiscard]] RoomsFile readRooms(const std::string& path);
+[[nodiscard]] RoomsFile readRooms(const std::string& path, RingOrder order = RingOrder::kOriented);
 
 /// The text of a `rooms.json`: coordinates rounded to 1e-4 m, one room a line, keys of a room
 /// sorted.

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sstream>
+
+#include "batch_options.hpp"
+#include "batch_runner.hpp"
+#include "command_line.hpp"
+#include "occusg/pipeline/config_file.hpp"
+
+namespace occusg::apps {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr const char* kDepthThreshold = "regions.dude.depth_threshold_m";
+constexpr const char* kDudeParameters = "regions.dude.";
+
+CommandHelp help() {
+  return {
+      "occusg ablate SEQUENCE... -o OUT (--d-thr VALUES | --param KEY=VALUES) [options]",
+      "Runs the recordings once for each value of one parameter and writes what 'occusg batch'\n"
+      "writes, a row a value: the paper's Table 2. A parameter of the decomposer dude is varied\n"
+      "with dude as the decomposer.\n\n"
+      "  occusg ablate recordings/* -o out --d-thr 1.5,3,6\n"
+      "  occusg ablate recordings/* -o out --param regions.constriction.widest_door_m=1.5,2.5\n",
+      {},
+      "SEQUENCE"};
+}
+
+po::options_description options() {
+  po::options_description options = batchOptionsDescription();
+  options.add_options()("param", po::value<std::string>(), "KEY=VALUE,VALUE,...: what is varied")(
+      "d-thr", po::value<std::string>(),
+      "VALUE,VALUE,...: short for --param regions.dude.depth_threshold_m=...")(
+      "config", po::value<std::string>()->default_value("default"),
+      "all other parameters: 'default', 'paper' or a YAML file");
+  return options;
+}
+
+/// A parameter and the texts of its values.
+struct Variation {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+Variation variationFrom(const po::variables_map& given) {
+  if (given.count("param") + given.count("d-thr") != 1)
+    throw UsageError("occusg ablate needs either --param KEY=VALUES or --d-thr VALUES");
+  Variation variation{kDepthThreshold, {}};
+  std::string list;
+  if (given.count("d-thr") > 0) {
+    list = given["d-thr"].as<std::string>();
+  } else {
+    const std::string text = given["param"].as<std::string>();
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw UsageError("--param is '" + text + "'; allowed is KEY=VALUE,VALUE,...");
+    variation.key = text.substr(0, equals);
+    list = text.substr(equals + 1);
+  }
+  std::istringstream values(list);
+  for (std::string value; std::getline(values, value, ',');)
+    if (!value.empty()) variation.values.push_back(value);
+  if (variation.values.empty()) throw UsageError("no value is given for " + variation.key);
+  return variation;
+}
+
+std::vector<Configuration> configurationsFrom(const po::variables_map& values) {
+  const Variation variation = variationFrom(values);
+  PipelineConfig base = loadConfig(values["config"].as<std::string>());
+  if (variation.key.rfind(kDudeParameters, 0) == 0)
+    base = configFromYaml("regions.decomposer: dude\n", "occusg ablate", base);
+  const std::string name = variation.key.substr(variation.key.rfind('.') + 1);
+  std::vector<Configuration> configurations;
+  for (const std::string& value : variation.values) {
+    const PipelineConfig config =
+        configFromYaml(variation.key + ": " + value + "\n", "--param " + variation.key, base);
+    configurations.push_back({name + "=" + value, toYaml(config, ConfigComments::kNone), ""});
+  }
+  requireDistinctNames(configurations);
+  return configurations;
+}
+
+}  // namespace
+
+ExitCode ablateCommand(const std::vector<std::string>& arguments) {
+  const po::variables_map values = parse(arguments, help(), options());
+  if (helpWasPrinted(values)) return kFine;
+  BatchOptions options = batchOptionsFrom(values);
+  options.configurations = configurationsFrom(values);
+  return runAndReport(options);
+}
+
+}  // namespace occusg::apps

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <optional>
+
+#include "command_line.hpp"
+#include "occusg/io/house_file.hpp"
+#include "output_file.hpp"
+
+namespace occusg::apps {
+namespace {
+
+namespace po = boost::program_options;
+
+CommandHelp help() {
+  return {"occusg truth mp3d HOUSE -o FILE [options]",
+          "Writes the annotated rooms of a Matterport3D .house file as rooms.json, as the paper's\n"
+          "evaluation takes them: a room a region, its footprint the union of its floors and\n"
+          "ceilings, on all levels and with all labels unless --level chooses one. Put FILE as\n"
+          "rooms.json into the recording of the scene.\n\n"
+          "  occusg truth mp3d 17DRP5sb8fy.house -o 17DRP5sb8fy/rooms.json\n",
+          {"FORMAT", "HOUSE"}};
+}
+
+po::options_description options() {
+  po::options_description options("Options");
+  options.add_options()("output,o", po::value<std::string>()->required(),
+                        "the rooms.json to write")("level", po::value<int>(),
+                                                   "only regions of this level, counted from 0");
+  return options;
+}
+
+}  // namespace
+
+ExitCode truthCommand(const std::vector<std::string>& arguments) {
+  const po::variables_map values = parse(arguments, help(), options());
+  if (helpWasPrinted(values)) return kFine;
+  const std::string format = values["FORMAT"].as<std::string>();
+  if (format != "mp3d") throw UsageError("the format is '" + format + "'; allowed is mp3d");
+  const auto level =
+      values.count("level") > 0 ? std::optional<int>(values["level"].as<int>()) : std::nullopt;
+  const HouseTruth truth = readHouse(values["HOUSE"].as<std::string>(), level);
+  const std::string path = values["output"].as<std::string>();
+  OutputFile(path).write(toJson(truth.rooms));
+  for (const std::string& note : truth.notes) std::cerr << "occusg: " << note << '\n';
+  std::cout << truth.rooms.rooms.size() << " rooms, " << truth.rooms.doors.size() << " doors in "
+            << path << '\n';
+  return kFine;
+}
+
+}  // namespace occusg::apps
