@@ -159,7 +159,8 @@ class CameraTest(unittest.TestCase):
         received = self.diagnostics.count("images received")
         for _ in range(150):
             self.robot.send_frame(self.step(0.03))
-        self.diagnostics.wait_for("images received", received + 150, 30)
+        # Not all 150: the queues of the publisher and the subscriber drop some before.
+        self.diagnostics.wait_for("images received", received + 20, 30)
         time.sleep(2.5)
         dropped = sum(self.diagnostics.count("dropped: " + why) for why in (
             "bad_image", "no_camera_info", "bad_stamp", "no_transform", "bad_transform",
