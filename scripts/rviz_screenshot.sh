@@ -62,7 +62,7 @@ colors=$(identify -format %k "$work/screen.png")
 colorful=$(convert "$work/screen.png" -colorspace HSL -channel S -separate +channel \
   -threshold 30% -format '%[fx:int(1000*mean)]' info:)
 echo "rviz_screenshot.sh: $found rooms, $colors colours, $colorful/1000 of the picture coloured"
-if [ "$found" -lt 5 ] || [ "$colors" -lt 500 ] || [ "$colorful" -lt 30 ]; then
+if [ "$found" -lt 5 ] || [ "$colors" -lt 500 ] || [ "$colorful" -lt 20 ]; then
   cat "$work/launch.log" >&2
   echo "rviz_screenshot.sh: the picture is blank" >&2
   exit 1

@@ -278,7 +278,10 @@ void MappingNode::process(const WaitingImage& waiting) {
     map_->process({waiting.logical_s, toDepthImage(*waiting.image, image_subscriber_.getTopic()),
                    *camera, answer.T_target_source});
     frame_times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
-    if (!reachedMap(before)) return;
+    if (!reachedMap(before)) {
+      noteStatus(steadySeconds() - waiting.arrived_s);
+      return;
+    }
   } catch (const occusg::Error& error) {
     drop(Drop::kMap, error.what());
     return;

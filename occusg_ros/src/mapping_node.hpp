@@ -100,8 +100,8 @@ class MappingNode {
   void drop(Drop reason, const std::string& sentence, std::size_t count = 1);
 
   NodeHandles handles_;
+  occusg::PipelineConfig config_;  // before the settings: reading them fills it
   MappingSettings settings_;
-  occusg::PipelineConfig config_;
   InputHealth health_;
   std::atomic<std::size_t> infos_received_{0};
   std::atomic<bool> paused_{false};

@@ -3,10 +3,19 @@
 #include <nodelet/loader.h>
 #include <ros/ros.h>
 
+#include <csignal>
 #include <string>
+
+namespace {
+
+// As SIGINT, which roscpp handles by itself: leave, so that what was found is saved.
+extern "C" void shutDown(int /*signal*/) { ros::requestShutdown(); }
+
+}  // namespace
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, OCCUSG_NODELET);
+  std::signal(SIGTERM, shutDown);
   // Several threads, so that a service that waits does not keep images waiting.
   if (!ros::param::has("~num_worker_threads")) ros::param::set("~num_worker_threads", 4);
   nodelet::Loader loader;

@@ -121,8 +121,8 @@ class SceneGraphNode {
                                        const typename Service::Request& request) const;
 
   NodeHandles handles_;
+  occusg::PipelineConfig config_;  // before the settings: reading them fills it
   SceneGraphSettings settings_;
-  occusg::PipelineConfig config_;
   InputHealth health_;
   std::atomic<bool> paused_{false};
   std::atomic<bool> tick_is_posted_{false};

@@ -152,19 +152,16 @@ void SemanticsNode::process(const Views& views, const occusg::Pose& T_map_camera
 void SemanticsNode::checkHealth() {
   diagnostics_.force_update();
   const InputHealth::Counts counts = health_.counts();
-  if (said_what_is_missing_ || counts.used > 0 || steadySeconds() - started_s_ < kSayMissingAfter_s)
-    return;
+  if (counts.used > 0) return;
   const auto input = [&](const std::string& what, const auto& subscriber) {
     return NeededInput{what, subscriber.getSubscriber().getTopic(), counts.received,
                        subscriber.getSubscriber().getNumPublishers()};
   };
-  const std::string missing = missingInput(
+  const std::string missing = missing_input_.toSay(
       {input("colour image", color_subscriber_), input("depth image", depth_subscriber_),
        input("camera_info", info_subscriber_)},
-      counts.last_problem);
-  if (missing.empty()) return;
-  said_what_is_missing_ = true;
-  ROS_WARN_STREAM(handles_.name << ": nothing is detected: " << missing);
+      counts.last_problem, steadySeconds() - started_s_);
+  if (!missing.empty()) ROS_WARN_STREAM(handles_.name << ": nothing is detected: " << missing);
 }
 
 void SemanticsNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -94,10 +94,9 @@ std::vector<ResultFile> resultFiles(const Findings& findings, const StageTimes& 
 
 std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string& scene,
                                     const StageTimes& times) {
-  std::vector<ResultFile> files =
-      resultFiles({pipeline.freeSpace(), pipeline.graph(),
-                   pipeline.config().graph.rooms.floor_z_m, scene},
-                  times);
+  std::vector<ResultFile> files = resultFiles(
+      {pipeline.freeSpace(), pipeline.graph(), pipeline.config().graph.rooms.floor_z_m, scene},
+      times);
   files.push_back({"map.ot", toOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull)});
   return files;
 }

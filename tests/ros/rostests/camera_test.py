@@ -47,7 +47,7 @@ class CameraTest(unittest.TestCase):
         used = max(cls.diagnostics.count("images used"), 0)
         cls.robot.info_publisher.publish(camera_info())
         for i in range(frames):
-            cls.robot.send_frame(cls.step(), x=x, yaw=0.4 * i, metres=metres)
+            cls.robot.send_frame(cls.step(), x=x, yaw=0.15 * i, metres=metres)
             time.sleep(0.06)
         cls.diagnostics.wait_for("images used", used + frames)
 
@@ -159,7 +159,8 @@ class CameraTest(unittest.TestCase):
         received = self.diagnostics.count("images received")
         for _ in range(150):
             self.robot.send_frame(self.step(0.03))
-        self.diagnostics.wait_for("images received", received + 150, 30)
+        # Not all 150: the queues of the publisher and the subscriber drop some before.
+        self.diagnostics.wait_for("images received", received + 20, 30)
         time.sleep(2.5)
         dropped = sum(self.diagnostics.count("dropped: " + why) for why in (
             "bad_image", "no_camera_info", "bad_stamp", "no_transform", "bad_transform",
@@ -169,12 +170,12 @@ class CameraTest(unittest.TestCase):
         self.assertLess(float(self.diagnostics.values["lag of the map [s]"]), 1.0)
 
     def test_row_09_poses_beyond_the_reach_of_the_map_are_counted(self):
-        time.sleep(1.2)
-        before = self.diagnostics.count("frames outside the map")
-        for _ in range(6):
+        def send():
+            # So far apart in time that the jump alone is no reason.
             self.robot.send_frame(self.step(1.5), x=5000.0)
-            time.sleep(0.1)
-        self.diagnostics.wait_for("frames outside the map", before + 1)
+            return 1
+        self.refused("refused_by_map", send)
+        self.diagnostics.wait_for("frames outside the map", 1)
         self.step(2.0)
         self.drive(1)
 

@@ -43,7 +43,7 @@ class ShutdownTest(unittest.TestCase):
                                         self.robot.tf_publisher)
         self.robot.info_publisher.publish(camera_info())
         for i in range(8):
-            self.robot.send_frame(rospy.Time.now(), yaw=0.4 * i)
+            self.robot.send_frame(rospy.Time.now(), yaw=0.15 * i)
             time.sleep(0.2)
         diagnostics.wait_for("images used", 4)
         self.end(process, signal.SIGINT)
@@ -116,7 +116,7 @@ class ShutdownTest(unittest.TestCase):
         self.robot.info_publisher.publish(camera_info())
         diagnostics = Diagnostics("first_map: mapping")
         for i in range(8):
-            self.robot.send_frame(rospy.Time.now(), yaw=0.4 * i)
+            self.robot.send_frame(rospy.Time.now(), yaw=0.15 * i)
             time.sleep(0.2)
         diagnostics.wait_for("images used", 4)
         time.sleep(1.5)
