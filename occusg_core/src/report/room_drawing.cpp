@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <map>
 
-#include "io/room_color.hpp"
+#include "occusg/io/room_color.hpp"
 #include "report/html_text.hpp"
 
 namespace occusg {
