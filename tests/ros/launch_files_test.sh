@@ -18,7 +18,8 @@ for launch in "$root"/launch/*.launch "$root"/launch/bringup/*.launch; do
     exit 1
   fi
 done
-for config in "$root"/config/*.yaml; do
+for config in $(grep -l '^regions:' "$root"/config/*.yaml); do
+  echo "$config"
   roslaunch --dump-params "$root/launch/occusg.launch" "config:=$config" |
-    grep -q '/occusg/scene_graph/regions/period_s'
+    grep '/occusg/scene_graph/regions/period_s' > /dev/null
 done
