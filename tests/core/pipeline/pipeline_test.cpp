@@ -69,7 +69,7 @@ TEST(Pipeline, Row26TwoRunsGiveIdenticalBytes) {
     return files;
   };
   const auto first = bytes();
-  EXPECT_EQ(first.size(), 8U);
+  EXPECT_EQ(first.size(), 10U);
   EXPECT_EQ(first, bytes());
 }
 
@@ -131,7 +131,7 @@ TEST(Pipeline, WithoutFramesThereIsNothingAndNoError) {
   Pipeline pipeline{PipelineConfig{}};
   pipeline.finish();
   EXPECT_TRUE(roomsOf(pipeline, "").rooms.empty());
-  EXPECT_EQ(resultFiles(pipeline, "", pipeline.times()).size(), 8U);
+  EXPECT_EQ(resultFiles(pipeline, "", pipeline.times()).size(), 10U);
 }
 
 TEST(Pipeline, EveryStageReportsItsTimeAndTheMapsTheirMemory) {
