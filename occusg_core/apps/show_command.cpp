@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "command_line.hpp"
+#include "graph_question.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 
 namespace occusg::apps {
@@ -19,10 +18,11 @@ namespace po = boost::program_options;
 CommandHelp help() {
   return {"occusg show FILE [options]",
           "Reads a scene_graph.json back, checks it, and prints its rooms, objects and doors.\n"
-          "Rooms are named by their number, as in rooms.json. --query answers one question:\n\n"
-          "  room at X Y      the room that holds this point [m, map frame], or 'none'\n\n"
-          "  occusg show out/apartment/scene_graph.json\n"
-          "  occusg show out/apartment/scene_graph.json --query \"room at 1.2 3.4\"\n",
+          "Rooms are named by their number, as in rooms.json. --query answers one question:\n\n" +
+              std::string(kGraphQuestions) +
+              "\n  occusg show out/apartment/scene_graph.json\n"
+              "  occusg show out/apartment/scene_graph.json --query \"room at 1.2 3.4\"\n"
+              "  occusg show out/apartment/scene_graph.json --query \"nearest chair at 1.2 3.4\"\n",
           {"FILE"}};
 }
 
@@ -33,16 +33,6 @@ po::options_description options() {
 }
 
 const RoomAttributes& roomIn(const Node& node) { return std::get<RoomAttributes>(node.attributes); }
-
-/// Fit for a terminal and a column: files may hold anything.
-std::string cell(const std::string& text) {
-  constexpr std::size_t kLongest = 24;
-  std::string printed = text.substr(0, kLongest);
-  std::replace_if(
-      printed.begin(), printed.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }, '?');
-  return printed.empty() ? "-" : printed;
-}
 
 std::string roomOf(const SceneGraph& graph, NodeId member) {
   const std::optional<NodeId> room = graph.roomOf(member);
@@ -103,45 +93,19 @@ void printDoors(const SceneGraph& graph) {
     for (const Segment2& crossing : edge.crossings) printDoor(edge.source, edge.target, crossing);
 }
 
-Point2 pointIn(const std::string& query) {
-  std::istringstream stream(query);
-  stream.imbue(std::locale::classic());
-  std::string room;
-  std::string at;
-  Point2 point;
-  const bool is_known = stream >> room >> at >> point.x >> point.y && room == "room" && at == "at";
-  if (!is_known || !(stream >> std::ws).eof())
-    throw UsageError("--query is '" + query + "'; allowed is 'room at X Y' in metres");
-  return point;
-}
-
-void answerRoomAt(const SceneGraph& graph, const Point2& point) {
-  const Node* smallest = nullptr;  // of nested rooms the inner one
-  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
-    const bool is_smaller = smallest == nullptr || roomIn(node).area_m2 < roomIn(*smallest).area_m2;
-    if (is_smaller && contains(roomIn(node).polygon, point)) smallest = &node;
-  }
-  if (smallest == nullptr) {
-    std::cout << "none\n";
-    return;
-  }
-  std::cout << cell(roomIn(*smallest).name) << ' ' << cell(roomIn(*smallest).label) << ' '
-            << roomIn(*smallest).area_m2 << " m2\n";
-}
-
 }  // namespace
 
 ExitCode showCommand(const std::vector<std::string>& arguments) {
   const po::variables_map values = parse(arguments, help(), options());
   if (helpWasPrinted(values)) return kFine;
-  std::optional<Point2> asked;
-  if (const auto query = given<std::string>(values, "query")) asked = pointIn(*query);
+  std::optional<GraphQuestion> asked;
+  if (const auto query = given<std::string>(values, "query")) asked = questionIn(*query);
 
   const SceneGraphFile file = readSceneGraph(values["FILE"].as<std::string>());
   const SceneGraph& graph = file.graph;
   std::cout << std::fixed << std::setprecision(2);
   if (asked) {
-    answerRoomAt(graph, *asked);
+    std::cout << answerTo(*asked, graph);
     return kFine;
   }
   std::cout << "  " << cell(file.scene) << ": " << graph.nodes(NodeType::kRoom).size() << " rooms, "

@@ -27,6 +27,8 @@ answers() {
 }
 
 short_recording short 80
+ln -s "$recording/labels" short/labels
+cp "$recording"/{rgb.txt,rooms.json,objects.json} short
 expect "run" 0 "" run short -o out --schema occusg-1.0
 check "scene_graph.json keeps to its schema" "$checks/check_schema.py" "$schema" out/scene_graph.json
 sed 's/"region_id":[0-9]*/"region_id":-1/' out/scene_graph.json > spoilt.json
@@ -42,7 +44,21 @@ grep -q "doors between" out.txt || fail "show prints no doors"
 place=$(sed -n 's/.*"name":"room_1".*"position":\[\([-0-9.]*\),\([-0-9.]*\),.*/\1 \2/p' out/scene_graph.json)
 answers "room at a point" "room_1" show out/scene_graph.json --query "room at $place"
 answers "room at a point outside" "none" show out/scene_graph.json --query "room at 900 900"
-expect "unknown query" 2 "room at X Y" show out/scene_graph.json --query "way to the kitchen"
+answers "way" " m" show out/scene_graph.json --query "way $place to $place"
+grep -q "^room_1 " out.txt || fail "way: the room it leads through is missing"
+answers "way to nowhere" "none" show out/scene_graph.json --query "way $place to 900 900"
+class=$(sed -n 's/.*"class":"\([^"]*\)".*"type":"OBJECT".*/\1/p' out/scene_graph.json | head -1)
+answers "nearest object" "m away" show out/scene_graph.json --query "nearest $class at $place"
+grep -q "^object [0-9]* $class at " out.txt || fail "nearest object: its class is missing"
+answers "nearest object of a class nobody saw" "none" show out/scene_graph.json --query "nearest grand piano at $place"
+answers "contents" "in room 1" show out/scene_graph.json --query "contents of room_1"
+beside=$("$occusg" show out/scene_graph.json --query "adjacent to 1" | sed -n 's/^room_\([0-9]*\) .*/\1/p' | head -1)
+answers "adjacent rooms" "room_1 " show out/scene_graph.json --query "adjacent to $beside"
+grep -q "^door at .* m wide, between rooms " out.txt || fail "adjacent rooms: their door is missing"
+expect "contents of a room there is not" 1 "has no room 77" show out/scene_graph.json --query "contents of 77"
+for query in "way to the kitchen" "way 1 2 to 3" "nearest at 1 2" "contents of" "adjacent to kitchen" "room at 1 2 3" ""; do
+  expect "query '$query'" 2 "room at X Y" show out/scene_graph.json --query "$query"
+done
 expect "broken point" 2 "room at X Y" show out/scene_graph.json --query "room at 1"
 expect "show without a file" 2 "FILE is missing" show
 expect "show a missing file" 1 "does not exist" show nowhere.json

@@ -11,8 +11,16 @@ work=$3
 # rooms FOLDER: id and name of each room.
 rooms() { "$occusg" show "$1/scene_graph.json" | awk '/^  room /,/doors between/' | awk '$1 ~ /^[0-9]+$/ {print $1, $4}'; }
 
+# count TYPE FOLDER: the nodes of a type. places TYPE FOLDER: where they stand, if on the same spot.
+count() { grep -c "\"type\":\"$1\"" "$2/scene_graph.json"; }
+doubled() { grep "\"type\":\"$1\"" "$2/scene_graph.json" | grep -o '"position":[^]]*]' | sort | uniq -d; }
+
 short_recording half 120
 short_recording whole 240
+for name in half whole; do
+  ln -s "$recording/labels" "$name/labels"
+  cp "$recording"/{rgb.txt,rooms.json,objects.json} "$name"
+done
 expect "one run" 0 "" run whole -o one
 expect "first half" 0 "" run half -o first --save-session kept
 for part in map.ot scene_graph.json session.json; do
@@ -23,6 +31,17 @@ grep -q "120 frames the session knows already" out.txt || fail "known frames are
 expect "rooms of the resumed run" 0 "" eval second/rooms.json one/rooms.json --json metrics.json
 cmp -s second/map.ot one/map.ot || fail "resumed run: another map than that of one run"
 [ "$(rooms second)" = "$(rooms one)" ] || { rooms one > out.txt; rooms second > err.txt; fail "resumed run: other rooms"; }
+for type in NAVIGATION OBJECT DOOR; do
+  [ "$(count $type one)" -gt 0 ] || fail "one run: no node of type $type"
+  [ -z "$(doubled $type second)" ] || fail "resumed run: two nodes of type $type in one place"
+done
+# The same map and regions: the same free space stands for as many nodes, and doors are the same.
+for type in NAVIGATION DOOR; do
+  [ "$(count $type second)" -eq "$(count $type one)" ] ||
+    fail "resumed run: $(count $type second) nodes of type $type instead of $(count $type one)"
+done
+more=$(($(count OBJECT second) - $(count OBJECT one)))
+[ ${more#-} -le 1 ] || fail "resumed run: $more more objects than in one run"
 [ "$(ls -A | grep -c part)" -eq 0 ] || fail "leftovers beside the session"
 
 # --- What cannot be

@@ -10,6 +10,15 @@ import sys
 
 import networkx
 
+ALL = ["floor_id", "created_s", "last_seen_s"]
+CARRIED = {
+    "AGENT": ALL,
+    "OBJECT": [*ALL, "score", "observations"],
+    "NAVIGATION": [*ALL, "free_cells"],
+    "ROOM": [*ALL, "name", "label", "label_score", "label_source", "state", "frontier_share", "area_m2", "region_id"],
+    "DOOR": [*ALL, "width_m"],
+}
+
 
 def main(folder):
     graph = networkx.read_graphml(os.path.join(folder, "scene_graph.graphml"))
@@ -23,8 +32,14 @@ def main(folder):
         found = graph.nodes[f"n{node['id']}"]
         assert found["type"] == node["type"]
         assert [found["x"], found["y"], found["z"]] == node["position"]
-        if node["type"] == "ROOM":
-            assert found["name"] == node["name"] and found["area_m2"] == node["area_m2"]
+        for key in CARRIED[node["type"]]:
+            assert found[key] == node[key], (node["id"], key)
+        if node["type"] == "OBJECT":
+            assert found["label"] == node["class"]
+            for key in ("class_histogram", "box"):
+                assert json.loads(found[key]) == node[key], (node["id"], key)
+        if node["type"] == "DOOR":
+            assert [found["room_a"], found["room_b"]] == [f"n{room}" for room in node["rooms"]]
     for edge in document["edges"]:
         found = graph.edges[f"n{edge['source']}", f"n{edge['target']}"]
         assert found["type"] == edge["type"]

@@ -19,6 +19,11 @@ bool areSame(const std::vector<Segment2>& a, const std::vector<Segment2>& b) {
 
 }  // namespace
 
+void AdjacencyLayer::restore(const SceneGraph& graph) {
+  *this = AdjacencyLayer();
+  doors_.restore(graph);
+}
+
 void AdjacencyLayer::observe(const SceneGraph& graph, const RegionSnapshot& snapshot,
                              const EntityAssignment& assignment) {
   joins_.update(graph, assignment);

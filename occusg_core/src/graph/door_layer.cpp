@@ -17,6 +17,11 @@ std::pair<NodeId, NodeId> roomsOf(const DoorAttributes& door) { return {door.roo
 
 }  // namespace
 
+void DoorLayer::restore(const SceneGraph& graph) {
+  *this = DoorLayer();
+  for (const auto& [id, node] : graph.nodes(NodeType::kDoor)) remember(id, roomsOf(doorIn(node)));
+}
+
 void DoorLayer::update(SceneGraph& graph, const std::set<RoomPair>& changed, double stamp_s) {
   const std::vector<NodeId> doors = doorsAffected(graph, changed);
   std::vector<Opening> openings;

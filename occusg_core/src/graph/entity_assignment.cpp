@@ -66,11 +66,26 @@ std::optional<int> regionAt(const RegionSnapshot& snapshot, const Point2& point,
 EntityAssignment::EntityAssignment(double boundary_tolerance_m)
     : tolerance_m_(boundary_tolerance_m) {}
 
+void EntityAssignment::restore(const SceneGraph& graph) {
+  *this = EntityAssignment(tolerance_m_);
+  for (const auto& [ends, edge] : graph.edges(EdgeType::kContains)) {
+    const int region = graph.room(edge.source).region_id;
+    entries_[edge.target] = {graph.at(edge.target).groundPosition(), region};
+    entities_of_region_[region].insert(edge.target);
+    restored_.insert(edge.target);
+  }
+  revision_ = graph.revision();
+}
+
 void EntityAssignment::update(const SceneGraph& graph, const RegionSnapshot& snapshot) {
   resolved_count_ = 0;
   reassigned_.clear();
   const GraphChanges changes = graph.changesSince(revision_);
   std::set<NodeId> entities = affected(graph, snapshot);
+  if (snapshot.state() == SnapshotState::kFresh) {
+    for (const NodeId id : std::exchange(restored_, {}))
+      if (graph.find(id) != nullptr) entities.insert(id);
+  }
   if (changes.complete) {
     for (const NodeId id : changes.removed_nodes) forget(id);
     for (const NodeId id : changes.added_nodes)

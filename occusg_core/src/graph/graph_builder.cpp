@@ -105,6 +105,12 @@ void GraphBuilder::restore(GraphBuilderState state, double stamp_s) {
   graph_ = std::move(state.graph);
   agents_.restore(graph_, stamp_s);
   rooms_.restore(graph_, state.rooms);
+  objects_.restore(graph_);
+  navigation_.restore(graph_);
+  completeness_.restore(graph_);
+  // The other layers find all of the graph in its log of changes; the history must know the rooms
+  // before the first update removes one.
+  history_.update(graph_);
   last_update_s_ = state.last_update_s;
   last_maintenance_s_ = state.last_maintenance_s;
 }

@@ -106,6 +106,22 @@ NavigationBlock::Part NavigationBlock::partAt(const Cell& cell) const {
   return x < 0 || y < 0 || x >= side_ || y >= side_ ? kNoPart : partAt(x, y);
 }
 
+NavigationBlock::Part NavigationBlock::partNearest(const Cell& cell) const {
+  std::int64_t nearest = -1;
+  Part best = kNoPart;
+  for (int y = 0; y < side_; ++y) {
+    for (int x = 0; x < side_; ++x) {
+      if (partAt(x, y) == kNoPart) continue;
+      const std::int64_t squared =
+          squaredDistance(std::int64_t{first_.x} + x - cell.x, std::int64_t{first_.y} + y - cell.y);
+      if (nearest >= 0 && squared >= nearest) continue;
+      nearest = squared;
+      best = partAt(x, y);
+    }
+  }
+  return best;
+}
+
 Cell NavigationBlock::cellNearestToMiddle() const {
   std::tuple<std::int64_t, int, int> best{-1, 0, 0};
   for (int y = 0; y < side_; ++y) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "occusg/error.hpp"
 
@@ -72,10 +73,22 @@ const NavigationBlock& NavigationLayer::blockAt(const Cell& index) const {
   return found == blocks_.end() ? empty : found->second;
 }
 
+void NavigationLayer::restore(const SceneGraph& graph) {
+  *this = NavigationLayer(config_, floor_z_m_);
+  for (const auto& [id, node] : graph.nodes(NodeType::kNavigation)) restored_.insert(id);
+}
+
 void NavigationLayer::update(SceneGraph& graph, const FreeSpace& layer, const CellBox& changed,
                              double stamp_s) {
   changed_blocks_ = 0;
   std::set<BlockPair> to_join;
+  for (auto& [index, block] : restoredBlocks(graph, layer)) {
+    blocks_[index] = block;
+    ++changed_blocks_;
+    block.sites.clear();
+    replaceBlock(graph, layer, index, std::move(block), stamp_s);
+    noteJoins(index, to_join);
+  }
   const CellBox indices = blocksOf(changed.intersected(layer.cells.box()), config_.block_cells);
   for (int y = indices.min.y; y < indices.max.y; ++y) {
     for (int x = indices.min.x; x < indices.max.x; ++x) {
@@ -83,16 +96,41 @@ void NavigationLayer::update(SceneGraph& graph, const FreeSpace& layer, const Ce
       if (fresh.hasSameCells(blockAt({x, y}))) continue;
       ++changed_blocks_;
       replaceBlock(graph, layer, {x, y}, std::move(fresh), stamp_s);
-      // A block has to do with the pairs it is one of and with those that meet at its corners.
-      for (const int dy : {-1, 0, 1}) {
-        for (const int dx : {-1, 0, 1})
-          if (dx != 0 || dy != 0) to_join.insert(std::minmax(Cell{x, y}, Cell{x + dx, y + dy}));
-      }
-      for (const int dy : {-1, 1})
-        for (const int dx : {-1, 1}) to_join.insert(std::minmax(Cell{x + dx, y}, Cell{x, y + dy}));
+      noteJoins({x, y}, to_join);
     }
   }
   for (const BlockPair& blocks : to_join) joinBlocks(graph, blocks);
+}
+
+// A block has to do with the pairs it is one of and with those that meet at its corners.
+void NavigationLayer::noteJoins(const Cell& index, std::set<BlockPair>& to_join) {
+  const auto& [x, y] = index;
+  for (const int dy : {-1, 0, 1}) {
+    for (const int dx : {-1, 0, 1})
+      if (dx != 0 || dy != 0) to_join.insert(std::minmax(Cell{x, y}, Cell{x + dx, y + dy}));
+  }
+  for (const int dy : {-1, 1})
+    for (const int dx : {-1, 1}) to_join.insert(std::minmax(Cell{x + dx, y}, Cell{x, y + dy}));
+}
+
+std::map<Cell, NavigationBlock> NavigationLayer::restoredBlocks(const SceneGraph& graph,
+                                                                const FreeSpace& layer) {
+  std::map<Cell, NavigationBlock> blocks;
+  for (const NodeId id : std::exchange(restored_, {})) {
+    const Node* const node = graph.find(id);
+    if (node == nullptr) continue;
+    // By its place, as the side of the blocks may have been another.
+    const Cell cell = layer.frame.cellAt(node->groundPosition());
+    const Cell index{floorDivided(cell.x, config_.block_cells),
+                     floorDivided(cell.y, config_.block_cells)};
+    auto block = blocks.find(index);
+    if (block == blocks.end()) {
+      NavigationBlock known(layer, index, config_.block_cells, neighbours());
+      block = blocks.emplace(index, std::move(known)).first;
+    }
+    block->second.sites.push_back({id, block->second.partNearest(cell)});
+  }
+  return blocks;
 }
 
 bool NavigationLayer::deservesNode(int free_cells, bool has_node) const {

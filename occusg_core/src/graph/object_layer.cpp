@@ -93,6 +93,14 @@ std::string mostSeen(const std::map<std::string, double>& histogram) {
 
 ObjectLayer::ObjectLayer(const ObjectLayerConfig& config) : config_(config) {}
 
+void ObjectLayer::restore(const SceneGraph& graph) {
+  *this = ObjectLayer(config_);
+  for (const auto& [id, node] : graph.nodes(NodeType::kObject)) {
+    const Eigen::AlignedBox3d& box = objectIn(node).box;
+    if (!box.isEmpty()) boxes_.insert(id, groundBounds(box));
+  }
+}
+
 void ObjectLayer::observe(SceneGraph& graph, const std::vector<Detection>& detections,
                           double stamp_s) {
   for (const std::size_t index : usable(detections, counts_)) {

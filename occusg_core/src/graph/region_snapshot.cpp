@@ -42,68 +42,84 @@ void RegionSnapshot::update(const TrackedRegions& tracked) {
   changed_contacts_.clear();
   const std::vector<Region>& regions = tracked.decomposition.regions;
   if (!tracked.stale && std::any_of(regions.begin(), regions.end(), isUsable)) {
-    adopt(tracked);
+    const bool follows = update_ > 0 && tracked.update == update_ + 1;
+    const bool is_known = update_ > 0 && tracked.update == update_;
+    if (follows) {
+      adoptChanged(tracked);
+    } else if (!is_known) {
+      adoptAll(tracked);
+    }
+    update_ = tracked.update;
+    std::sort(changed_regions_.begin(), changed_regions_.end());
     state_ = SnapshotState::kFresh;
   } else if (state_ == SnapshotState::kFresh) {
     state_ = SnapshotState::kStale;
   }
 }
 
-void RegionSnapshot::adopt(const TrackedRegions& tracked) {
-  ++update_;
-  missed_ = {tracked.missed.begin(), tracked.missed.end()};
-  // Both are in the order of ids, as a rule: no search needed.
-  auto near = regions_.begin();
-  std::size_t still_there = 0;
+void RegionSnapshot::adoptAll(const TrackedRegions& tracked) {
+  std::set<int> there;
   for (const Region& region : tracked.decomposition.regions) {
-    while (near != regions_.end() && near->first < region.id) ++near;
-    const bool is_repeated = near != regions_.end() && near->second.update == update_;
-    adoptRegion(region, near);
-    const bool is_there = near != regions_.end() && near->first == region.id;
-    if (is_there && !is_repeated && near->second.update == update_) ++still_there;
+    adoptRegion(region);
+    there.insert(region.id);
   }
-  if (still_there != regions_.size()) dropRegionsNotIn(update_);
-  std::sort(changed_regions_.begin(), changed_regions_.end());
-  const std::vector<Crossing>& crossings = tracked.decomposition.crossings;
-  if (!std::equal(crossings.begin(), crossings.end(), crossings_.begin(), crossings_.end(), isSame))
-    adoptCrossings(crossings);
+  std::vector<int> gone;
+  for (const auto& [id, support] : regions_)
+    if (there.count(id) == 0) gone.push_back(id);
+  for (const int region : gone) dropRegion(region);
+  noteMissed(tracked.missed);
+  adoptCrossings(tracked.decomposition.crossings);
 }
 
-void RegionSnapshot::adoptRegion(const Region& region, std::map<int, Support>::iterator near) {
-  const auto known =
-      near != regions_.end() && near->first == region.id ? near : regions_.find(region.id);
-  if (known != regions_.end() && sameRings(known->second.region.polygon, region.polygon)) {
-    known->second.update = update_;
-    return;
+void RegionSnapshot::adoptChanged(const TrackedRegions& tracked) {
+  const std::vector<Region>& regions = tracked.decomposition.regions;
+  for (const int id : tracked.changed) {
+    const auto region =
+        std::lower_bound(regions.begin(), regions.end(), id,
+                         [](const Region& known, int wanted) { return known.id < wanted; });
+    if (region != regions.end() && region->id == id) {
+      adoptRegion(*region);
+    } else {
+      dropRegion(id);
+    }
   }
+  noteMissed(tracked.missed);
+  if (tracked.crossings_changed) adoptCrossings(tracked.decomposition.crossings);
+}
+
+void RegionSnapshot::adoptRegion(const Region& region) {
+  const auto known = regions_.find(region.id);
+  if (known != regions_.end() && sameRings(known->second.region.polygon, region.polygon)) return;
   if (!isUsable(region)) {
-    // Its track lives, so its room must.
-    missed_.insert(region.id);
+    dropRegion(region.id);
+    unusable_.insert(region.id);
     return;
   }
+  unusable_.erase(region.id);
   Support support = supportFrom(region);
-  support.update = update_;
-  changed_regions_.push_back(region.id);
   if (known != regions_.end()) {
     changes_.push_back(known->second.bounds);
     index_.erase(region.id, known->second.bounds);
   }
+  changed_regions_.push_back(region.id);
   changes_.push_back(support.bounds);
   index_.insert(region.id, support.bounds);
   regions_.insert_or_assign(region.id, std::move(support));
 }
 
-void RegionSnapshot::dropRegionsNotIn(std::uint64_t update) {
-  for (auto item = regions_.begin(); item != regions_.end();) {
-    if (item->second.update == update) {
-      ++item;
-      continue;
-    }
-    changed_regions_.push_back(item->first);
-    changes_.push_back(item->second.bounds);
-    index_.erase(item->first, item->second.bounds);
-    item = regions_.erase(item);
-  }
+void RegionSnapshot::dropRegion(int region) {
+  unusable_.erase(region);
+  const auto known = regions_.find(region);
+  if (known == regions_.end()) return;
+  changed_regions_.push_back(region);
+  changes_.push_back(known->second.bounds);
+  index_.erase(region, known->second.bounds);
+  regions_.erase(known);
+}
+
+void RegionSnapshot::noteMissed(const std::vector<int>& missed) {
+  missed_ = {missed.begin(), missed.end()};
+  missed_.insert(unusable_.begin(), unusable_.end());
 }
 
 void RegionSnapshot::adoptCrossings(std::vector<Crossing> crossings) {

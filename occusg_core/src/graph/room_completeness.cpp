@@ -72,6 +72,12 @@ double frontierShare(const Polygon& polygon, const FreeSpace& layer) {
 RoomCompleteness::RoomCompleteness(double max_frontier_share)
     : max_frontier_share_(max_frontier_share) {}
 
+void RoomCompleteness::restore(const SceneGraph& graph) {
+  *this = RoomCompleteness(max_frontier_share_);
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom))
+    if (graph.room(id).state == RoomState::kConfirmed) confirmed_.insert(id);
+}
+
 void RoomCompleteness::update(SceneGraph& graph, const FreeSpace& layer, const CellBox& changed) {
   const GraphChanges changes = graph.changesSince(revision_);
   std::set<NodeId> rooms;

@@ -45,6 +45,8 @@ void RoomLayer::restore(const SceneGraph& graph, const RoomLayerState& state) {
   *this = RoomLayer(config_);
   first_seen_s_ = state.first_seen_s;
   former_room_of_region_ = state.former_room_of_region;
+  adjacency_.restore(graph);
+  assignment_.restore(graph);
   for (const auto& item : first_seen_s_) restored_regions_.insert(item.first);
   for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
     const RoomAttributes& room = std::get<RoomAttributes>(node.attributes);
@@ -69,9 +71,11 @@ void RoomLayer::noteSupport(SceneGraph& graph, double stamp_s) {
     if (is_there) {
       first_seen_s_.emplace(region, stamp_s);
       changed_footprints_.insert(region);
+      if (!ownerOf(region)) unowned_regions_.insert(region);
     } else {
       absent_regions_.insert(region);
       changed_footprints_.erase(region);
+      unowned_regions_.erase(region);
     }
     const std::optional<NodeId> room = ownerOf(region);
     if (!room || graph.room(*room).unsupported_since_s.has_value() != is_there) continue;
@@ -172,13 +176,10 @@ void RoomLayer::promote(SceneGraph& graph, double stamp_s, Decisions decisions) 
   const bool may_go_without =
       decisions == Decisions::kNow && config_.promotion == PromotionEvidence::kObservedArea;
   if (!is_bootstrapped && !may_go_without) return;
-  auto owner = room_of_region_.cbegin();
   std::vector<int> deserving;
-  for (const auto& [id, support] : snapshot_.regions()) {
-    while (owner != room_of_region_.cend() && owner->first < id) ++owner;
-    const bool is_owned = owner != room_of_region_.cend() && owner->first == id;
-    if (!is_owned && deservesRoom(support.region, stamp_s, decisions)) deserving.push_back(id);
-  }
+  for (const int id : unowned_regions_)
+    if (deservesRoom(snapshot_.regions().at(id).region, stamp_s, decisions))
+      deserving.push_back(id);
   for (const int region : deserving) createRoom(graph, region, RoomReason::kPromoted, stamp_s);
 }
 
@@ -236,6 +237,7 @@ void RoomLayer::createRoom(SceneGraph& graph, int region, RoomReason reason, dou
   const Eigen::Vector3d anywhere = Eigen::Vector3d::Zero();
   const NodeId id = graph.add(anywhere, stamp_s, std::move(room)).id;
   room_of_region_.emplace(region, id);
+  unowned_regions_.erase(region);
   noteRoom(id);
   refreshRoom(graph, id, stamp_s);
 }
@@ -246,6 +248,8 @@ void RoomLayer::moveRoom(SceneGraph& graph, NodeId room, int region, double stam
   room_of_region_.erase(attributes.region_id);
   if (snapshot_.remembers(attributes.region_id))
     former_room_of_region_[attributes.region_id] = room;
+  if (snapshot_.has(attributes.region_id)) unowned_regions_.insert(attributes.region_id);
+  unowned_regions_.erase(region);
   attributes.region_id = region;
   attributes.unsupported_since_s.reset();
   graph.update(std::move(node));
@@ -273,7 +277,9 @@ void RoomLayer::refreshRoom(SceneGraph& graph, NodeId room, double stamp_s) {
 }
 
 void RoomLayer::removeRoom(SceneGraph& graph, NodeId room) {
-  room_of_region_.erase(graph.room(room).region_id);
+  const int region = graph.room(room).region_id;
+  room_of_region_.erase(region);
+  if (snapshot_.has(region)) unowned_regions_.insert(region);
   for (auto item = former_room_of_region_.begin(); item != former_room_of_region_.end();)
     item = item->second == room ? former_room_of_region_.erase(item) : std::next(item);
   if (current_room_ == room) current_room_.reset();

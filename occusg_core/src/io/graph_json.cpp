@@ -33,6 +33,17 @@ json jsonOf(const Eigen::Vector3d& point) {
 
 json jsonOf(const Segment2& segment) { return jsonOf(Ring{segment.a, segment.b}); }
 
+json histogramOf(const ObjectAttributes& object) {
+  constexpr int kDigits = 6;
+  json histogram = json::object();
+  for (const auto& [name, sum] : object.class_histogram) histogram[name] = rounded(sum, kDigits);
+  return histogram;
+}
+
+json cornersOf(const Eigen::AlignedBox3d& box) {
+  return json::array({jsonOf(Eigen::Vector3d(box.min())), jsonOf(Eigen::Vector3d(box.max()))});
+}
+
 json crossingsOf(const Edge& edge) {
   json crossings = json::array();
   for (const Segment2& crossing : edge.crossings) crossings.push_back(jsonOf(crossing));

@@ -18,6 +18,11 @@ namespace occusg {
 [[nodiscard]] const char* nameOf(LabelSource source);
 [[nodiscard]] nlohmann::json jsonOf(const Eigen::Vector3d& point);
 [[nodiscard]] nlohmann::json jsonOf(const Segment2& segment);
+/// {class: sum of scores}.
+[[nodiscard]] nlohmann::json histogramOf(const ObjectAttributes& object);
+/// [lowest corner, highest corner].
+/// @pre not empty.
+[[nodiscard]] nlohmann::json cornersOf(const Eigen::AlignedBox3d& box);
 [[nodiscard]] nlohmann::json crossingsOf(const Edge& edge);
 /// Rotation of the pose, rounded to 1e-6; of the two quaternions that mean it the one with w >= 0,
 /// so that equal poses give equal bytes.

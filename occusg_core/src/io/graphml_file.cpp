@@ -2,12 +2,17 @@
 #include "occusg/io/graphml_file.hpp"
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <variant>
 
+#include "io/graph_json.hpp"
 #include "io/json_text.hpp"
 
 namespace occusg {
 namespace {
+
+constexpr int kDigits = 4;
+constexpr int kFineDigits = 6;
 
 constexpr const char* kKeys =
     R"( <key id="scene" for="graph" attr.name="scene" attr.type="string"/>
@@ -20,6 +25,20 @@ constexpr const char* kKeys =
  <key id="label" for="node" attr.name="label" attr.type="string"/>
  <key id="area" for="node" attr.name="area_m2" attr.type="double"/>
  <key id="width" for="node" attr.name="width_m" attr.type="double"/>
+ <key id="created" for="node" attr.name="created_s" attr.type="double"/>
+ <key id="seen" for="node" attr.name="last_seen_s" attr.type="double"/>
+ <key id="score" for="node" attr.name="score" attr.type="double"/>
+ <key id="observations" for="node" attr.name="observations" attr.type="int"/>
+ <key id="histogram" for="node" attr.name="class_histogram" attr.type="string"/>
+ <key id="box" for="node" attr.name="box" attr.type="string"/>
+ <key id="state" for="node" attr.name="state" attr.type="string"/>
+ <key id="frontier" for="node" attr.name="frontier_share" attr.type="double"/>
+ <key id="label_score" for="node" attr.name="label_score" attr.type="double"/>
+ <key id="label_source" for="node" attr.name="label_source" attr.type="string"/>
+ <key id="region" for="node" attr.name="region_id" attr.type="int"/>
+ <key id="free" for="node" attr.name="free_cells" attr.type="int"/>
+ <key id="room_a" for="node" attr.name="room_a" attr.type="string"/>
+ <key id="room_b" for="node" attr.name="room_b" attr.type="string"/>
  <key id="edge" for="edge" attr.name="type" attr.type="string"/>
 )";
 
@@ -50,26 +69,48 @@ std::string data(const char* key, const std::string& value) {
   return std::string("<data key=\"") + key + "\">" + value + "</data>";
 }
 
-std::string data(const char* key, double value) { return data(key, toText(rounded(value))); }
+std::string data(const char* key, double value, int digits = kDigits) {
+  return data(key, toText(rounded(value, digits)));
+}
+
+std::string textOf(const nlohmann::json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 /// What a node has by its type.
 struct AttributeData {
   std::string operator()(const AgentAttributes& /*agent*/) const { return ""; }
   std::string operator()(const ObjectAttributes& object) const {
-    return data("label", escaped(object.class_name));
+    std::string text = data("label", escaped(object.class_name)) +
+                       data("score", object.score, kFineDigits) +
+                       data("observations", std::to_string(object.observations)) +
+                       data("histogram", escaped(textOf(histogramOf(object))));
+    if (!object.box.isEmpty()) text += data("box", textOf(cornersOf(object.box)));
+    return text;
   }
-  std::string operator()(const NavigationAttributes& /*navigation*/) const { return ""; }
+  std::string operator()(const NavigationAttributes& navigation) const {
+    return data("free", std::to_string(navigation.free_cells));
+  }
   std::string operator()(const RoomAttributes& room) const {
     return data("name", escaped(room.name)) + data("label", escaped(room.label)) +
-           data("area", room.area_m2);
+           data("area", room.area_m2) + data("state", nameOf(room.state)) +
+           data("frontier", room.frontier_share, kFineDigits) +
+           data("label_score", room.label_score, kFineDigits) +
+           data("label_source", nameOf(room.label_source)) +
+           data("region", std::to_string(room.region_id));
   }
-  std::string operator()(const DoorAttributes& door) const { return data("width", door.width_m); }
+  std::string operator()(const DoorAttributes& door) const {
+    return data("width", door.width_m) + data("room_a", "n" + std::to_string(door.room_a)) +
+           data("room_b", "n" + std::to_string(door.room_b));
+  }
 };
 
 std::string elementOf(const Node& node) {
   return "  <node id=\"n" + std::to_string(node.id) + "\">" + data("type", nameOf(node.type())) +
          data("x", node.position.x()) + data("y", node.position.y()) +
          data("z", node.position.z()) + data("floor", std::to_string(node.floor_id)) +
+         data("created", node.created_s, kFineDigits) +
+         data("seen", node.last_seen_s, kFineDigits) +
          std::visit(AttributeData{}, node.attributes) + "</node>\n";
 }
 

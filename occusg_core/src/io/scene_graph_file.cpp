@@ -16,13 +16,6 @@ using nlohmann::json;
 constexpr int kScoreDigits = 6;
 constexpr int kStampDigits = 6;
 
-json histogramOf(const ObjectAttributes& object) {
-  json histogram = json::object();
-  for (const auto& [name, sum] : object.class_histogram)
-    histogram[name] = rounded(sum, kScoreDigits);
-  return histogram;
-}
-
 json holesOf(const Polygon& polygon) {
   json holes = json::array();
   for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
@@ -40,10 +33,7 @@ struct AttributeMembers {
                     {"score", rounded(object.score, kScoreDigits)},
                     {"observations", object.observations},
                     {"class_histogram", histogramOf(object)}};
-    if (!object.box.isEmpty()) {
-      members["box"] = json::array(
-          {jsonOf(Eigen::Vector3d(object.box.min())), jsonOf(Eigen::Vector3d(object.box.max()))});
-    }
+    if (!object.box.isEmpty()) members["box"] = cornersOf(object.box);
     return members;
   }
   json operator()(const NavigationAttributes& navigation) const {

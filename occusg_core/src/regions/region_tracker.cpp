@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -29,10 +30,21 @@ struct Candidate {
   }
 };
 
+bool haveSameRings(const Region& a, const Region& b) {
+  return a.polygon.outer == b.polygon.outer && a.polygon.holes == b.polygon.holes;
+}
+
+bool areSame(const std::vector<Crossing>& a, const std::vector<Crossing>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& c, const auto& d) {
+    return c.region_a == d.region_a && c.region_b == d.region_b && c.segment.a == d.segment.a &&
+           c.segment.b == d.segment.b;
+  });
+}
+
 /// Polygon IoU. Most regions of a map do not change from update to update; for those the costly
 /// intersection is spared.
 double overlapOf(const Region& a, const Region& b) {
-  if (a.polygon.outer == b.polygon.outer && a.polygon.holes == b.polygon.holes) return 1.0;
+  if (haveSameRings(a, b)) return 1.0;
   return intersectionOverUnion(a.polygon, b.polygon);
 }
 
@@ -79,8 +91,12 @@ const TrackedRegions& RegionTracker::update(const Decomposition& decomposition) 
   tracked_.stale = !guard_.accept(decomposition);
   if (tracked_.stale) return tracked_;
   const std::vector<int> ids = assign(decomposition.regions);
+  noteChanges(decomposition.regions, ids);
   step(decomposition.regions, ids);
-  tracked_.decomposition = renamed(decomposition, ids);
+  Decomposition fresh = renamed(decomposition, ids);
+  tracked_.crossings_changed = !areSame(fresh.crossings, tracked_.decomposition.crossings);
+  tracked_.decomposition = std::move(fresh);
+  ++tracked_.update;
   return tracked_;
 }
 
@@ -105,7 +121,12 @@ void RegionTracker::restore(const RegionTrackerState& state) {
   next_id_ = state.next_id;
 }
 
-void RegionTracker::reset() { *this = RegionTracker(config_); }
+void RegionTracker::reset() {
+  const std::uint64_t update = tracked_.update;
+  *this = RegionTracker(config_);
+  // The next update must not look as if it followed the last one.
+  tracked_.update = update + 1;
+}
 
 std::vector<int> RegionTracker::assign(const std::vector<Region>& regions) {
   std::vector<Candidate> candidates;
@@ -131,6 +152,24 @@ std::vector<int> RegionTracker::assign(const std::vector<Region>& regions) {
   for (int& id : ids)
     if (id == kNoTrack) id = next_id_++;
   return ids;
+}
+
+void RegionTracker::noteChanges(const std::vector<Region>& regions, const std::vector<int>& ids) {
+  std::set<int> changed;
+  // A track that missed the last update was not there then.
+  for (const auto& [id, track] : tracks_)
+    if (track.missed_updates == 0) changed.insert(id);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const auto track = tracks_.find(ids[i]);
+    const bool is_same = track != tracks_.end() && track->second.missed_updates == 0 &&
+                         haveSameRings(regions[i], track->second.region);
+    if (is_same) {
+      changed.erase(ids[i]);
+    } else {
+      changed.insert(ids[i]);
+    }
+  }
+  tracked_.changed.assign(changed.begin(), changed.end());
 }
 
 void RegionTracker::step(const std::vector<Region>& regions, const std::vector<int>& ids) {

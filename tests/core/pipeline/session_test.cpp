@@ -58,6 +58,31 @@ TEST(Session, SecondHalfGoesOnWithTheRoomsOfTheFirst) {
   EXPECT_EQ(second.graph().edges(EdgeType::kTemporal).size(),
             whole.graph().edges(EdgeType::kTemporal).size());
   EXPECT_EQ(second.freeSpace().cells, whole.freeSpace().cells);
+  for (const NodeType type : {NodeType::kNavigation, NodeType::kDoor})
+    EXPECT_EQ(second.graph().nodes(type).size(), whole.graph().nodes(type).size()) << nameOf(type);
+  EXPECT_EQ(second.graph().edges(EdgeType::kTraversable).size(),
+            whole.graph().edges(EdgeType::kTraversable).size());
+}
+
+TEST(Session, LabelOfAPersonAndNavigationNodesComeBackUnderTheirIds) {
+  const std::vector<DepthFrame> frames = testing::driveThroughTwoRooms();
+  const TemporaryFolder folder;
+  Pipeline first{PipelineConfig{}};
+  processRange(first, frames, 0, frames.size() - 3);
+  const NodeId room = first.graph().nodes(NodeType::kRoom).begin()->first;
+  first.setRoomLabel(room, "den");
+  saveSession(folder.at("session"), first.occupancyMap().tree(), first.sessionState("drive"));
+  Pipeline second{PipelineConfig{}};
+  second.resume(loadSession(folder.at("session"), second.config().occupancy));
+  processRange(second, frames, frames.size() - 3, frames.size());
+  second.finish();
+  EXPECT_EQ(second.graph().room(room).label, "den");
+  EXPECT_EQ(second.graph().room(room).label_source, LabelSource::kPerson);
+  std::size_t kept = 0;
+  for (const auto& [id, node] : first.graph().nodes(NodeType::kNavigation))
+    kept += second.graph().find(id) != nullptr ? 1 : 0;
+  const std::size_t before = first.graph().nodes(NodeType::kNavigation).size();
+  EXPECT_GE(10 * kept, 9 * before) << kept << " of " << before;
 }
 
 TEST(Session, NeedsAFrameAndComesBeforeTheFirstOne) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -246,6 +247,19 @@ TEST(RegionTracker, RefusesParametersOutOfRange) {
                     {"regions.tracker.max_missed_updates", "-1"}));
   EXPECT_TRUE(tells(refusal([](auto& config) { config.guard.max_area_drop = 2.0; }),
                     {"regions.guard.max_area_drop", "2"}));
+}
+
+TEST(RegionTracker, TellsWhichRegionsAreOthersThanBefore) {
+  const Block grown_middle{50, 0, 44, 40};
+  RegionTracker tracker(unguarded());
+  EXPECT_EQ(tracker.update(blocks({kLeft, kMiddle})).changed, (std::vector<int>{1, 2}));
+  const std::uint64_t update = tracker.regions().update;
+  EXPECT_TRUE(tracker.update(blocks({kMiddle, kLeft})).changed.empty()) << "the order is no change";
+  EXPECT_EQ(tracker.regions().update, update + 1);
+  EXPECT_EQ(tracker.update(blocks({kLeft, grown_middle})).changed, (std::vector<int>{2}));
+  EXPECT_EQ(tracker.update(blocks({kLeft})).changed, (std::vector<int>{2})) << "gone";
+  EXPECT_TRUE(tracker.update(blocks({kLeft})).changed.empty()) << "gone before";
+  EXPECT_EQ(tracker.update(blocks({kLeft, grown_middle})).changed, (std::vector<int>{2})) << "back";
 }
 
 }  // namespace

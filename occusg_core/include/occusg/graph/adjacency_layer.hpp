@@ -20,6 +20,9 @@ namespace occusg {
 /// a room whose region is missing stay until it is back or removed.
 class AdjacencyLayer {
  public:
+  /// Goes on with the edges and doors of `graph`; its rooms are to be noted.
+  void restore(const SceneGraph& graph);
+
   /// Notes what changed; with each update, after `assignment`.
   void observe(const SceneGraph& graph, const RegionSnapshot& snapshot,
                const EntityAssignment& assignment);

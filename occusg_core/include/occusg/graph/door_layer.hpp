@@ -16,6 +16,9 @@ class DoorLayer {
  public:
   using RoomPair = std::pair<NodeId, NodeId>;
 
+  /// Goes on with the doors of `graph`.
+  void restore(const SceneGraph& graph);
+
   /// Makes the doors of these pairs those of their adjacency edges; doors of removed rooms go.
   void update(SceneGraph& graph, const std::set<RoomPair>& changed, double stamp_s);
 

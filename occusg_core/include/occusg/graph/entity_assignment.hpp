@@ -24,6 +24,9 @@ class EntityAssignment {
  public:
   explicit EntityAssignment(double boundary_tolerance_m);
 
+  /// Goes on with the containment of `graph`, until regions say more.
+  void restore(const SceneGraph& graph);
+
   /// Resolves the entities that are new, have moved, or lie where the snapshot changed; no other is
   /// looked at. Always to be called with the same graph.
   void update(const SceneGraph& graph, const RegionSnapshot& snapshot);
@@ -51,6 +54,7 @@ class EntityAssignment {
   double tolerance_m_;
   std::unordered_map<NodeId, Entry> entries_;
   std::map<int, std::set<NodeId>> entities_of_region_;
+  std::set<NodeId> restored_;  ///< Known to a saved graph, not yet resolved again.
   std::vector<NodeId> reassigned_;
   Revision revision_ = 0;  ///< Of the graph at the last update.
   std::size_t resolved_count_ = 0;

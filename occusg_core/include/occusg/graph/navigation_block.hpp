@@ -48,6 +48,8 @@ class NavigationBlock {
   [[nodiscard]] Part partAt(int x, int y) const;
   /// kNoPart when the cell is not free, or not of this block.
   [[nodiscard]] Part partAt(const Cell& cell) const;
+  /// The part of the free cell nearest to `cell`, the first of equals; kNoPart when there is none.
+  [[nodiscard]] Part partNearest(const Cell& cell) const;
   /// The free cell nearest to the middle of the block, the first of equals.
   /// @pre not empty.
   [[nodiscard]] Cell cellNearestToMiddle() const;

@@ -38,6 +38,10 @@ class NavigationLayer {
   /// @throws Error when a value is out of range.
   NavigationLayer(const NavigationLayerConfig& config, double floor_z_m);
 
+  /// Goes on with the nodes of `graph`: the next update looks at their blocks, whatever changed,
+  /// and leaves each part of free space the node that stands in it.
+  void restore(const SceneGraph& graph);
+
   /// Brings nodes and edges up to date. The graph's navigation nodes belong to this layer.
   /// @param changed bounds of the cells that differ from the layer of the last call.
   void update(SceneGraph& graph, const FreeSpace& layer, const CellBox& changed, double stamp_s);
@@ -54,6 +58,9 @@ class NavigationLayer {
     std::optional<NodeId> node;  ///< The one it had; empty: a new one.
   };
 
+  /// The blocks as the saved graph knew them, as far as the layer tells: with today's cells.
+  [[nodiscard]] std::map<Cell, NavigationBlock> restoredBlocks(const SceneGraph& graph,
+                                                               const FreeSpace& layer);
   [[nodiscard]] CellNeighbours neighbours() const;
   [[nodiscard]] const NavigationBlock& blockAt(const Cell& index) const;
   [[nodiscard]] bool deservesNode(int free_cells, bool has_node) const;
@@ -66,6 +73,7 @@ class NavigationLayer {
                                NavigationBlock::Part b) const;
   [[nodiscard]] bool cutsCorner(const BlockPair& blocks) const;
 
+  static void noteJoins(const Cell& index, std::set<BlockPair>& to_join);
   void replaceBlock(SceneGraph& graph, const FreeSpace& layer, const Cell& index,
                     NavigationBlock fresh, double stamp_s);
   NodeId place(SceneGraph& graph, const FreeSpace& layer, const Cell& index,
@@ -75,6 +83,7 @@ class NavigationLayer {
   NavigationLayerConfig config_;
   double floor_z_m_;
   std::map<Cell, NavigationBlock> blocks_;  ///< Those with a free cell or a node.
+  std::set<NodeId> restored_;  ///< Nodes of a saved graph whose blocks are not known yet.
   std::size_t changed_blocks_ = 0;
 };
 

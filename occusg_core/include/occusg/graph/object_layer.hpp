@@ -65,6 +65,9 @@ class ObjectLayer {
   void removeGhosts(SceneGraph& graph, const octomap::OcTree& map, const Point2& center,
                     double radius_m);
 
+  /// Goes on with the objects of `graph`.
+  void restore(const SceneGraph& graph);
+
   [[nodiscard]] const ObjectCounts& counts() const { return counts_; }
 
  private:

@@ -29,7 +29,6 @@ class RegionSnapshot {
   struct Support {
     Region region;  ///< Area and centroid are those of its polygon.
     Bounds2 bounds;
-    std::uint64_t update = 0;  ///< The one it was last there in.
   };
 
   void update(const TrackedRegions& tracked);
@@ -53,17 +52,20 @@ class RegionSnapshot {
   [[nodiscard]] const std::vector<RegionPair>& changedContacts() const { return changed_contacts_; }
 
  private:
-  void adopt(const TrackedRegions& tracked);
-  void adoptRegion(const Region& region, std::map<int, Support>::iterator near);
-  void dropRegionsNotIn(std::uint64_t update);
+  void adoptAll(const TrackedRegions& tracked);
+  void adoptChanged(const TrackedRegions& tracked);
+  void adoptRegion(const Region& region);
+  void dropRegion(int region);
+  void noteMissed(const std::vector<int>& missed);
   void adoptCrossings(std::vector<Crossing> crossings);
 
   SnapshotState state_ = SnapshotState::kNone;
   std::map<int, Support> regions_;   ///< By id.
   SpatialIndex index_;               ///< Of their bounds.
   std::vector<Crossing> crossings_;  ///< Ordered by the regions.
-  std::set<int> missed_;
-  std::uint64_t update_ = 0;
+  std::set<int> missed_;             ///< By the tracker, or without an area.
+  std::set<int> unusable_;    ///< There, but without an area: their tracks live, so must the rooms.
+  std::uint64_t update_ = 0;  ///< Of the tracker; zero: not known.
   std::vector<Bounds2> changes_;
   std::vector<int> changed_regions_;
   std::vector<RegionPair> changed_contacts_;

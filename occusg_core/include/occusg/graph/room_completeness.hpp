@@ -19,6 +19,9 @@ class RoomCompleteness {
   /// @param max_frontier_share of a confirmed room; 1: all are.
   explicit RoomCompleteness(double max_frontier_share);
 
+  /// Goes on with the rooms of `graph`: those confirmed stay so.
+  void restore(const SceneGraph& graph);
+
   /// Looks at the rooms that changed and at those the changed cells touch. Always to be called with
   /// the same graph.
   void update(SceneGraph& graph, const FreeSpace& layer, const CellBox& changed);

@@ -87,6 +87,7 @@ class RoomLayer {
   std::map<int, NodeId> former_room_of_region_;
   std::map<int, double> first_seen_s_;  ///< By region.
   std::set<int> restored_regions_;      ///< Known to a saved state, not yet seen again or missed.
+  std::set<int> unowned_regions_;       ///< There, and no room stands on them.
   std::set<int> absent_regions_;        ///< Known once, missing now.
   std::set<int> changed_footprints_;    ///< Regions that changed since their room was refreshed.
   std::set<NodeId> lost_rooms_;         ///< Those whose region is missing.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -24,6 +25,13 @@ struct TrackedRegions {
   /// Region, adjacency, crossing and label ids are track ids; regions are ordered by id.
   Decomposition decomposition;
   std::vector<int> missed;  ///< Tracks without a region now but still remembered; sorted.
+  /// Counts the accepted decompositions, so that who follows them sees whether one was missed.
+  /// Zero: not counted, and `changed` says nothing.
+  std::uint64_t update = 0;
+  /// Regions that are new, have another polygon, or are gone since update `update` - 1; sorted.
+  std::vector<int> changed;
+  /// Whether crossings differ from those of update `update` - 1.
+  bool crossings_changed = true;
   bool stale = false;  ///< The newest decomposition was rejected; this is the last accepted one.
 };
 
@@ -68,6 +76,7 @@ class RegionTracker {
   /// The track of every region in list order: a known one, or one that it starts.
   [[nodiscard]] std::vector<int> assign(const std::vector<Region>& regions);
   void step(const std::vector<Region>& regions, const std::vector<int>& ids);
+  void noteChanges(const std::vector<Region>& regions, const std::vector<int>& ids);
 
   RegionTrackerConfig config_;
   AcceptanceGuard guard_;
