@@ -66,8 +66,9 @@ generate_dynamic_reconfigure_options(
   occusg_ros/cfg/SceneGraphLive.cfg)
 
 # Libraries come from the exported targets (occusg-extras.cmake): catkin would look for them by name
-# in the prefix given when configuring, so a staged or moved install would not be found.
+# in the prefix given when configuring, so a staged or moved install would not be found. Who finds
+# this package needs its messages and the core, and none of what the nodelets are made of.
 catkin_package(
   INCLUDE_DIRS occusg_core/include occusg_ros/include
-  CATKIN_DEPENDS message_runtime ${OCCUSG_ROS_PACKAGES}
+  CATKIN_DEPENDS message_runtime geometry_msgs nav_msgs sensor_msgs std_msgs
   CFG_EXTRAS occusg-extras.cmake)

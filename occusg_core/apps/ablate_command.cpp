@@ -72,9 +72,12 @@ std::vector<Configuration> configurationsFrom(const po::variables_map& values) {
   const std::string name = variation.key.substr(variation.key.rfind('.') + 1);
   std::vector<Configuration> configurations;
   for (const std::string& value : variation.values) {
-    const PipelineConfig config =
-        configFromYaml(variation.key + ": " + value + "\n", "--param " + variation.key, base);
-    configurations.push_back({name + "=" + value, toYaml(config, ConfigComments::kNone), ""});
+    std::string yaml = variation.key;
+    yaml.append(": ").append(value).append("\n");
+    const PipelineConfig config = configFromYaml(yaml, "--param " + variation.key, base);
+    std::string row = name;
+    row.append("=").append(value);
+    configurations.push_back({std::move(row), toYaml(config, ConfigComments::kNone), ""});
   }
   requireDistinctNames(configurations);
   return configurations;

@@ -36,6 +36,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
     : start_(std::chrono::steady_clock::now()) {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const int log = open(log_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

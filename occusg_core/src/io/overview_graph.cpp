@@ -15,7 +15,7 @@ constexpr double kLinkDot_px = 3.5;
 constexpr double kObjectWidth_px = 1.4;
 constexpr double kSmallestBox_px = 5.0;
 
-cv::Rect2d boxInPicture(const ObjectRecord& object, const OverviewView& view) {
+cv::Rect2d boxInPicture(const DrawnObject& object, const OverviewView& view) {
   const cv::Point2d low = view.pixelAt(object.box.min);
   const cv::Point2d high = view.pixelAt(object.box.max);
   cv::Rect2d box(cv::Point2d(low.x, high.y), cv::Point2d(high.x, low.y));
@@ -25,7 +25,7 @@ cv::Rect2d boxInPicture(const ObjectRecord& object, const OverviewView& view) {
   return {box.x - pad_x, box.y - pad_y, box.width + 2.0 * pad_x, box.height + 2.0 * pad_y};
 }
 
-std::string wordsOf(const ObjectRecord& object) {
+std::string wordsOf(const DrawnObject& object) {
   std::string words = printable(object.label);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
@@ -45,7 +45,7 @@ void drawLinks(Canvas& canvas, const OverviewView& view, const OverviewContent& 
 
 void drawObjects(Canvas& canvas, const OverviewView& view, const OverviewContent& content) {
   const TextStyle style{9.0, 0.12, kObjectColor};
-  for (const ObjectRecord& object : content.objects) {
+  for (const DrawnObject& object : content.objects) {
     const cv::Rect2d box = boxInPicture(object, view);
     canvas.drawRing({{box.x, box.y},
                      {box.x + box.width, box.y},

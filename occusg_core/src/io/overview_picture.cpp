@@ -54,7 +54,7 @@ bool isDrawable(const DoorRecord& crossing) {
   return isDrawable(crossing.segment.a) && isDrawable(crossing.segment.b);
 }
 
-bool isDrawable(const ObjectRecord& object) {
+bool isDrawable(const DrawnObject& object) {
   return isDrawable(object.box.min) && isDrawable(object.box.max);
 }
 

@@ -25,8 +25,8 @@ std::vector<Point2> trajectoryOf(const SceneGraph& graph) {
   return trajectory;
 }
 
-std::vector<ObjectRecord> objectsOf(const SceneGraph& graph) {
-  std::vector<ObjectRecord> objects;
+std::vector<DrawnObject> objectsOf(const SceneGraph& graph) {
+  std::vector<DrawnObject> objects;
   for (const auto& [id, node] : graph.nodes(NodeType::kObject)) {
     const auto& object = std::get<ObjectAttributes>(node.attributes);
     if (object.box.isEmpty()) continue;

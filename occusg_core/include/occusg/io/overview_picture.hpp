@@ -11,7 +11,7 @@
 namespace occusg {
 
 /// An object seen from above.
-struct ObjectRecord {
+struct DrawnObject {
   std::string label;
   Bounds2 box;  ///< Map frame [m].
 };
@@ -29,7 +29,7 @@ struct OverviewContent {
   std::vector<RoomRecord> rooms;
   std::vector<DoorRecord> crossings;
   std::vector<Point2> trajectory;  ///< In the order of travel, map frame [m].
-  std::vector<ObjectRecord> objects = {};
+  std::vector<DrawnObject> objects = {};
   std::vector<RoomLink> links = {};
 };
 
