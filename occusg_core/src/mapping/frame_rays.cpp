@@ -121,14 +121,18 @@ void FrameRays::measure(const RangeImage& image, std::size_t first, Band& band) 
   const Point3f* ends = image.ends.data() + first;
   const Point3f origin = image.origin;
   const std::size_t count = band.kinds.size();
+  const RayEnd* kinds = band.kinds.data();
   float* x = band.direction[0].data();
   float* y = band.direction[1].data();
   float* z = band.direction[2].data();
   for (std::size_t i = 0; i < count; ++i) {
-    const bool is_ray = band.kinds[i] != RayEnd::kNone;
-    x[i] = is_ray ? ends[i].x - origin.x : 0.0F;
-    y[i] = is_ray ? ends[i].y - origin.y : 0.0F;
-    z[i] = is_ray ? ends[i].z - origin.z : 0.0F;
+    const bool is_ray = kinds[i] != RayEnd::kNone;
+    const float away_x = ends[i].x - origin.x;
+    const float away_y = ends[i].y - origin.y;
+    const float away_z = ends[i].z - origin.z;
+    x[i] = is_ray ? away_x : 0.0F;
+    y[i] = is_ray ? away_y : 0.0F;
+    z[i] = is_ray ? away_z : 0.0F;
   }
   const auto dx = view(band.direction[0], 0, count);
   const auto dy = view(band.direction[1], 0, count);
@@ -212,8 +216,7 @@ void FrameRays::nameEnds(Band& band) const {
     const std::uint32_t beyond = squared_range[i] > max_squared ? 4U : 0U;
     const std::uint32_t uncertain = off > 0.5F - kUncertain ? kUncertainName : 0U;
     xy[i] = static_cast<std::uint32_t>(cell_x) | static_cast<std::uint32_t>(cell_y) << 16;
-    z_and_kind[i] =
-        static_cast<std::uint32_t>(cell_z) | (kind | beyond) << kKindShift | uncertain;
+    z_and_kind[i] = static_cast<std::uint32_t>(cell_z) | (kind | beyond) << kKindShift | uncertain;
   }
 }
 

@@ -76,7 +76,7 @@ class FrameRays {
     RowNames names;
     RowNames names_above;
     std::vector<std::uint32_t> columns;  ///< Whose ends are new.
-    std::array<float, 3> lowest{};  ///< Of the cut rays, from the sensor [m].
+    std::array<float, 3> lowest{};       ///< Of the cut rays, from the sensor [m].
     std::array<float, 3> highest{};
     std::vector<MarkedVoxel> marks;
     std::size_t dropped = 0;
@@ -93,7 +93,7 @@ class FrameRays {
   void setBounds();
 
   RayLimits limits_;
-  float max_squared_range_ = 0.0F;     ///< The largest that is not beyond the range [m2].
+  float max_squared_range_ = 0.0F;      ///< The largest that is not beyond the range [m2].
   std::array<float, 3> name_origin_{};  ///< Place of the sensor in the names of voxels.
   int width_ = 0;
   int height_ = 0;
