@@ -144,9 +144,10 @@ void FrameRays::measure(const RangeImage& image, std::size_t first, Band& band) 
 void FrameRays::dropUnusable(Band& band) const {
   const std::size_t count = band.kinds.size();
   bool is_near_edge = false;
-  for (const double origin_m : origin_)
+  for (const double origin_m : origin_) {
     is_near_edge |=
         !insideMap((std::abs(origin_m) + limits_.max_range_m) / limits_.resolution_m + 2);
+  }
   if (!is_near_edge && std::isfinite(view(band.squared_range, 0, count).sum())) return;
   for (std::size_t i = 0; i < count; ++i) {
     if (band.kinds[i] == RayEnd::kNone) continue;
