@@ -11,6 +11,7 @@ namespace occusg {
 namespace {
 
 constexpr int kBlockSide = 8;
+constexpr int kHalfBlock = kBlockSide / 2;
 constexpr int kFirstBlock = -32768 / kBlockSide;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 constexpr std::uint64_t kByte = 0xFF;
@@ -46,7 +47,8 @@ Eigen::Map<const Float8> at(const std::vector<float>& values, std::size_t first)
 
 std::size_t FrameCarver::blocksBetween(const std::array<VoxelIndex, 2>& bounds) {
   const auto side = [](int low, int high) {
-    return static_cast<std::size_t>(blockOf(high - 1) - blockOf(low) + 1);
+    const int blocks = blockOf(high - 1) - blockOf(low) + 1;
+    return static_cast<std::size_t>(blocks);
   };
   return side(bounds[0].x, bounds[1].x) * side(bounds[0].y, bounds[1].y) *
          side(bounds[0].z, bounds[1].z);
@@ -142,7 +144,7 @@ void FrameCarver::carveBlocks(int first_row, int end_row, std::vector<VoxelBlock
     VoxelIndex block{window_.first.x, window_.first.y + row % window_.size.y,
                      window_.first.z + row / window_.size.y};
     const auto away = [&](int index, std::size_t axis) {
-      return static_cast<float>(kBlockSide * index + kBlockSide / 2 - origin[axis] * voxels_per_m);
+      return static_cast<float>(kBlockSide * index + kHalfBlock - origin[axis] * voxels_per_m);
     };
     const ViewPoint start = away(block.x, 0) * projection_.step(0) +
                             away(block.y, 1) * projection_.step(1) +
