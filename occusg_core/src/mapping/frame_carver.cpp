@@ -11,12 +11,14 @@ namespace occusg {
 namespace {
 
 constexpr int kBlockSide = 8;
+constexpr int kHalfBlock = kBlockSide / 2;
 constexpr int kFirstBlock = -32768 / kBlockSide;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 constexpr std::uint64_t kByte = 0xFF;
-constexpr int kUndivided = 32;  ///< Pixels.
-constexpr int kFastRowStep = 3;
-constexpr int kSampledFrom = 5;         ///< Rows of pixels; of fewer all are looked at.
+constexpr int kUndivided = 32;       ///< Pixels.
+constexpr float kRowSpacing = 0.4F;  ///< Of the rows looked at in fast mode [voxels].
+constexpr std::array<int, 5> kRowOrder = {0, -1, 1, -2, 2};
+constexpr float kRowReach = 0.7F;       ///< To both sides of the centre [voxels].
 constexpr float kShortestPass = 1e-4F;  ///< Share of a ray, above what rounding can make up.
 constexpr int kTasksPerThread = 8;
 constexpr float kDepthSlack = 0.002F;  ///< Voxels.
@@ -45,7 +47,8 @@ Eigen::Map<const Float8> at(const std::vector<float>& values, std::size_t first)
 
 std::size_t FrameCarver::blocksBetween(const std::array<VoxelIndex, 2>& bounds) {
   const auto side = [](int low, int high) {
-    return static_cast<std::size_t>(blockOf(high - 1) - blockOf(low) + 1);
+    const int blocks = blockOf(high - 1) - blockOf(low) + 1;
+    return static_cast<std::size_t>(blocks);
   };
   return side(bounds[0].x, bounds[1].x) * side(bounds[0].y, bounds[1].y) *
          side(bounds[0].z, bounds[1].z);
@@ -141,7 +144,7 @@ void FrameCarver::carveBlocks(int first_row, int end_row, std::vector<VoxelBlock
     VoxelIndex block{window_.first.x, window_.first.y + row % window_.size.y,
                      window_.first.z + row / window_.size.y};
     const auto away = [&](int index, std::size_t axis) {
-      return static_cast<float>(kBlockSide * index + kBlockSide / 2 - origin[axis] * voxels_per_m);
+      return static_cast<float>(kBlockSide * index + kHalfBlock - origin[axis] * voxels_per_m);
     };
     const ViewPoint start = away(block.x, 0) * projection_.step(0) +
                             away(block.y, 1) * projection_.step(1) +
@@ -157,7 +160,7 @@ void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center,
       ((at.z - window_.first.z) * window_.size.y + at.y - window_.first.y) * window_.size.x + at.x -
       window_.first.x);
   const VoxelBlock* marked = slots_[slot] == 0 ? nullptr : &marked_[slots_[slot] - 1];
-  const Verdict verdict = judge(center, 0);
+  const Verdict verdict = judge(center, 0).verdict;
   if (verdict == Verdict::kNone && marked == nullptr) return;
   VoxelBlock result;
   if (marked != nullptr) result = *marked;
@@ -186,7 +189,7 @@ void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center,
 
 void FrameCarver::carveWord(Block& block, unsigned word, const ViewPoint& center) const {
   if (block.done[word] == kAll) return;
-  const Verdict verdict = judge(center, 1);
+  const Verdict verdict = judge(center, 1).verdict;
   if (verdict == Verdict::kNone) return;
   if (verdict == Verdict::kAll) {
     block.free[word] = kAll;
@@ -200,46 +203,68 @@ std::uint64_t FrameCarver::carveByte(const Block& block, unsigned word, unsigned
                                      const ViewPoint& center) const {
   const std::uint64_t done = block.done[word] >> (8 * byte) & kByte;
   if (done == kByte) return 0;
-  const Verdict verdict = judge(center, 2);
-  if (verdict == Verdict::kNone) return 0;
-  if (verdict == Verdict::kAll) return kByte;
+  const Judgement judgement = judge(center, 2);
+  if (judgement.verdict == Verdict::kNone) return 0;
+  if (judgement.verdict == Verdict::kAll) return kByte;
   const VoxelIndex first = partOf(partOf(block.first_voxel, word, 4), byte, 2);
-  std::uint64_t free = passedByCenter(center);
+  const CubeCorners& offsets = projection_.corners(3);
+  const float half = offsets.depth + depth_slack_;
+  const std::array<LatticeProjection::CenterPixel, 8> pixels = projection_.centerPixels(center);
+  std::uint64_t free = 0;
   for (unsigned i = 0; i < 8; ++i) {
-    if (((done | free) >> i & 1U) != 0) continue;
-    if (isFree(partOf(first, i, 1), center + projection_.corners(3)[i]))
+    const float depth = center.z + offsets.z[i];
+    if ((done >> i & 1U) != 0 || depth - half > judgement.farthest) continue;
+    const auto& pixel = pixels[i];
+    const bool passed = pixel.surely_crossed && endAt(pixel) >= depth + half;
+    if (passed || isFree(partOf(first, i, 1), center + offsets[i], pixel))
       free |= std::uint64_t{1} << i;
   }
   return free;
 }
 
-FrameCarver::Verdict FrameCarver::judge(const ViewPoint& center, std::size_t size) const {
+float FrameCarver::endAt(const LatticeProjection::CenterPixel& pixel) const {
+  return rays_
+      ->depth()[static_cast<std::size_t>(pixel.row) * static_cast<std::size_t>(rays_->width()) +
+                static_cast<std::size_t>(pixel.column)];
+}
+
+FrameCarver::Judgement FrameCarver::judge(const ViewPoint& center, std::size_t size) const {
   const float half = projection_.corners(size).depth + depth_slack_;
   const float nearest = center.z - half;
   const float farthest = center.z + half;
-  if (farthest <= 0.0F || nearest >= depth_.largest()) return Verdict::kNone;
+  if (farthest <= 0.0F || nearest >= depth_.largest()) return {};
   PixelBox box;
   const Coverage coverage = projection_.boxOf(center, size, box);
-  if (coverage == Coverage::kNone || depth_.farthest(box) < nearest) return Verdict::kNone;
+  if (coverage == Coverage::kNone) return {};
+  const float end = depth_.farthest(box);
+  if (end < nearest) return {};
   const bool all = coverage == Coverage::kWhole && farthest <= projection_.denseDepth() &&
-                   depth_.nearest(box) >= farthest;
-  return all ? Verdict::kAll : Verdict::kSome;
+                   end >= farthest && depth_.nearest(box) >= farthest;
+  return {all ? Verdict::kAll : Verdict::kSome, end};
 }
 
-/// Of the eight voxels about `center`, those the ray nearest to their own centre passes.
-std::uint64_t FrameCarver::passedByCenter(const ViewPoint& center) const {
-  const float half = projection_.corners(3).depth + depth_slack_;
-  const std::array<int, 8> pixels = projection_.pixelsThrough(center);
-  std::uint64_t passed = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    if (pixels[i] < 0) continue;
-    const float end = rays_->depth()[static_cast<std::size_t>(pixels[i])];
-    if (end >= center.z + projection_.corners(3).z[i] + half) passed |= std::uint64_t{1} << i;
+/// Looks at five rows of rays about the centre, the middle ones first.
+bool FrameCarver::isFreeNearCenter(const VoxelIndex& voxel, const ViewPoint& center,
+                                   const LatticeProjection::CenterPixel& pixel) const {
+  const float nearest = center.z - projection_.corners(3).depth - depth_slack_;
+  const int reach =
+      std::min(1 + static_cast<int>(projection_.columnsOver(kRowReach, center.z)), kUndivided);
+  const int step = std::max(1, static_cast<int>(projection_.rowsOver(kRowSpacing, center.z)));
+  const PixelBox box = {
+      std::max(pixel.column - reach, 0), std::min(pixel.column + reach, rays_->width() - 1),
+      std::max(pixel.row - 2 * step, 0), std::min(pixel.row + 2 * step, rays_->height() - 1)};
+  if (depth_.farthest(box) < nearest) return false;
+  for (const int offset : kRowOrder) {
+    const int row = pixel.row + offset * step;
+    if (row < box.top || row > box.bottom) continue;
+    if (isCrossedBy({box.left, box.right, row, row}, voxel, nearest)) return true;
   }
-  return passed;
+  return false;
 }
 
-bool FrameCarver::isFree(const VoxelIndex& voxel, const ViewPoint& center) const {
+bool FrameCarver::isFree(const VoxelIndex& voxel, const ViewPoint& center,
+                         const LatticeProjection::CenterPixel& pixel) const {
+  if (carving_ == Carving::kFast) return isFreeNearCenter(voxel, center, pixel);
   const float half = projection_.corners(3).depth + depth_slack_;
   const float nearest = center.z - half;
   if (center.z + half <= 0.0F || nearest >= depth_.largest()) return false;
@@ -276,10 +301,8 @@ bool FrameCarver::isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, floa
   const float x = static_cast<float>(voxel.x) - origin_[0];
   const float y = static_cast<float>(voxel.y) - origin_[1];
   const float z = static_cast<float>(voxel.z) - origin_[2];
-  const bool is_sampled = carving_ == Carving::kFast && box.bottom - box.top >= kSampledFrom;
-  const int step = is_sampled ? kFastRowStep : 1;
   const float shortest = carving_ == Carving::kFast ? kShortestPass : 0.0F;
-  for (int row = box.top + (is_sampled ? 1 : 0); row <= box.bottom; row += step) {
+  for (int row = box.top; row <= box.bottom; ++row) {
     const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays_->width());
     // The last rays may be those of pixels beyond the box: they are rays all the same.
     for (int column = box.left; column <= box.right; column += kRaysAtOnce) {

@@ -19,7 +19,7 @@ namespace occusg {
 /// How thoroughly the voxels at the rim of what a frame saw free are looked at.
 enum class Carving {
   kExact,  ///< Free is what any ray crosses.
-  kFast,   ///< Free is what the ray nearest to the voxel's centre crosses.
+  kFast,   ///< Free is what a ray crosses that passes close to the voxel's centre.
 };
 
 /// Finds the voxels a frame saw free or occupied without walking along its rays: cubes of voxels
@@ -49,6 +49,10 @@ class FrameCarver {
     std::array<std::uint64_t, 8> free{};
   };
   enum class Verdict { kNone, kSome, kAll };
+  struct Judgement {
+    Verdict verdict = Verdict::kNone;
+    float farthest = 0.0F;  ///< Where the rays that can cross the cube end, at most.
+  };
 
   void openFrame(const FrameRays& rays, const RangeImage& image, const octomap::OcTree& tree);
   void openWindow(const std::array<VoxelIndex, 2>& bounds);
@@ -59,12 +63,15 @@ class FrameCarver {
   void carveWord(Block& block, unsigned word, const ViewPoint& center) const;
   [[nodiscard]] std::uint64_t carveByte(const Block& block, unsigned word, unsigned byte,
                                         const ViewPoint& center) const;
-  [[nodiscard]] bool isFree(const VoxelIndex& voxel, const ViewPoint& center) const;
-  [[nodiscard]] std::uint64_t passedByCenter(const ViewPoint& center) const;
+  [[nodiscard]] bool isFree(const VoxelIndex& voxel, const ViewPoint& center,
+                            const LatticeProjection::CenterPixel& pixel) const;
+  [[nodiscard]] float endAt(const LatticeProjection::CenterPixel& pixel) const;
+  [[nodiscard]] bool isFreeNearCenter(const VoxelIndex& voxel, const ViewPoint& center,
+                                      const LatticeProjection::CenterPixel& pixel) const;
   [[nodiscard]] bool isCrossed(const VoxelIndex& voxel, const ViewPoint& center, float nearest,
                                const PixelBox& box) const;
   [[nodiscard]] bool isCrossedBy(const PixelBox& box, const VoxelIndex& voxel, float nearest) const;
-  [[nodiscard]] Verdict judge(const ViewPoint& center, std::size_t size) const;
+  [[nodiscard]] Judgement judge(const ViewPoint& center, std::size_t size) const;
 
   Carving carving_ = Carving::kExact;
   const FrameRays* rays_ = nullptr;

@@ -61,13 +61,22 @@ class FrameRays {
   static constexpr float kNoRay = 1e20F;
 
  private:
+  /// Names of the voxels the rays of a row end in, to tell whether two rays end in the same one.
+  struct RowNames {
+    std::vector<std::uint32_t> xy;
+    std::vector<std::uint32_t> z_and_kind;
+  };
+
   /// Rows of the lattice that one thread prepares, and one row on its way.
   struct Band {
     std::array<std::vector<float>, 3> direction;  ///< Uncut [m].
     std::vector<float> squared_range;             ///< [m2]
     std::vector<float> cut;                       ///< Share of the ray that counts, 1 for all.
     std::vector<RayEnd> kinds;
-    std::array<float, 3> lowest{};  ///< Of the cut rays, from the sensor [m].
+    RowNames names;
+    RowNames names_above;
+    std::vector<std::uint32_t> columns;  ///< Whose ends are new.
+    std::array<float, 3> lowest{};       ///< Of the cut rays, from the sensor [m].
     std::array<float, 3> highest{};
     std::vector<MarkedVoxel> marks;
     std::size_t dropped = 0;
@@ -78,10 +87,14 @@ class FrameRays {
   void measure(const RangeImage& image, std::size_t first, Band& band) const;
   void dropUnusable(Band& band) const;
   void cutAndInvert(std::size_t first, Band& band);
+  void nameEnds(Band& band) const;
+  [[nodiscard]] static std::size_t findNewEnds(Band& band);
   void mark(const RangeImage& image, std::size_t first, Band& band) const;
   void setBounds();
 
   RayLimits limits_;
+  float max_squared_range_ = 0.0F;      ///< The largest that is not beyond the range [m2].
+  std::array<float, 3> name_origin_{};  ///< Place of the sensor in the names of voxels.
   int width_ = 0;
   int height_ = 0;
   std::array<float, 3> forward_{};  ///< Optical axis in the map frame.

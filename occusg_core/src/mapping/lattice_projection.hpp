@@ -101,30 +101,40 @@ class LatticeProjection {
            (y - bottom * z).minCoeff() <= 0.0F;
   }
 
-  /// For each of the eight voxels about `center` the pixel nearest to where its centre is seen;
-  /// negative when that is outside of the image or no ray need pass close enough to cross it.
-  [[nodiscard]] std::array<int, 8> pixelsThrough(const ViewPoint& center) const {
+  /// The pixel nearest to where the centre of a voxel is seen.
+  struct CenterPixel {
+    int column = 0;
+    int row = 0;
+    bool surely_crossed = false;  ///< The pixel's ray, if there is one, crosses the voxel.
+  };
+
+  /// For each of the eight voxels about `center`.
+  [[nodiscard]] std::array<CenterPixel, 8> centerPixels(const ViewPoint& center) const {
     const CubeCorners& offsets = corners_[kSizes - 1];
-    const Float8 z = offsets.z + center.z;
-    const Float8 inverse = z.max(kNearest).inverse();
+    const Float8 z = (offsets.z + center.z).max(kNearest);
+    const Float8 inverse = z.inverse();
     const Float8 u = (offsets.x + center.x) * inverse + cx_;
     const Float8 v = (offsets.y + center.y) * inverse + cy_;
-    std::array<int, 8> pixels{};
+    const Float8 column = u.max(0.0F).min(last_column_) + 0.5F;
+    const Float8 row = v.max(0.0F).min(last_row_) + 0.5F;
+    std::array<CenterPixel, 8> pixels{};
     for (int i = 0; i < 8; ++i) {
-      const bool seen = z[i] >= kNearest && u[i] >= 0.0F && u[i] <= last_column_ && v[i] >= 0.0F &&
-                        v[i] <= last_row_;
-      if (!seen) {
-        pixels[static_cast<std::size_t>(i)] = -1;
-        continue;
-      }
-      const int column = static_cast<int>(u[i] + 0.5F);
-      const int row = static_cast<int>(v[i] + 0.5F);
-      const float x = (static_cast<float>(column) - u[i]) * pitch_x_ * z[i];
-      const float y = (static_cast<float>(row) - v[i]) * pitch_y_ * z[i];
-      const bool crossed = x * x + y * y <= kSurelyCrossed * kSurelyCrossed;
-      pixels[static_cast<std::size_t>(i)] = crossed ? row * width_ + column : -1;
+      CenterPixel& pixel = pixels[static_cast<std::size_t>(i)];
+      pixel.column = static_cast<int>(column[i]);
+      pixel.row = static_cast<int>(row[i]);
+      const float x = (static_cast<float>(pixel.column) - u[i]) * pitch_x_ * z[i];
+      const float y = (static_cast<float>(pixel.row) - v[i]) * pitch_y_ * z[i];
+      pixel.surely_crossed = z[i] > kNearest && x * x + y * y <= kSurelyCrossed * kSurelyCrossed;
     }
     return pixels;
+  }
+
+  /// Pixels over a length at a depth, both in voxels.
+  [[nodiscard]] float columnsOver(float length, float depth) const {
+    return length / (pitch_x_ * std::max(depth, kNearest));
+  }
+  [[nodiscard]] float rowsOver(float length, float depth) const {
+    return length / (pitch_y_ * std::max(depth, kNearest));
   }
 
   /// Up to this depth every voxel is crossed by a ray, if none is missing.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 
 namespace occusg {
@@ -23,6 +24,15 @@ int compact(std::uint64_t code) {
 
 unsigned childIndex(std::uint64_t code, unsigned depth) {
   return static_cast<unsigned>(code >> (3 * (kBlockDepth - 1 - depth))) & 7U;
+}
+
+/// Asks for what is at an address, to have it in the cache when it is needed.
+void prefetch(const void* address) {
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#else
+  (void)address;
+#endif
 }
 
 /// Bits of the first `voxels` voxels.
@@ -65,6 +75,7 @@ void VoxelTree::updateAbove(const Place& place, unsigned depth, BlockIterator fi
 }
 
 void VoxelTree::updateBlock(const Place& place, const VoxelBlock& block) {
+  fetch(place, block);
   BlockChange change;
   bool any = false;
   for (unsigned i = 0; i < block.free.size(); ++i) {
@@ -91,7 +102,33 @@ VoxelTree::Marks VoxelTree::allMarks(BlockIterator first, BlockIterator last) {
   return marks;
 }
 
-/// @param voxels number of voxels below the node: 64, 8 or 1.
+/// Nodes are scattered over the heap, and one is known only from the one above: waiting for each in
+/// turn would take most of an update. So those of a block are asked for level by level.
+void VoxelTree::fetch(const Place& place, const VoxelBlock& block) const {
+  if (place.age == Age::kNew || !nodeHasChildren(place.node)) return;
+  for (unsigned i = 0; i < 8; ++i)
+    if (nodeChildExists(place.node, i)) prefetch(getNodeChild(place.node, i));
+  for (unsigned i = 0; i < 8; ++i) {
+    const std::uint64_t marks = block.free[i] | block.occupied[i];
+    if (marks != 0 && nodeChildExists(place.node, i))
+      fetchVoxels(getNodeChild(place.node, i), marks);
+  }
+}
+
+void VoxelTree::fetchVoxels(const Node* word, std::uint64_t marks) const {
+  if (!nodeHasChildren(word)) return;
+  for (unsigned i = 0; i < 8; ++i)
+    if (nodeChildExists(word, i)) prefetch(getNodeChild(word, i));
+  for (unsigned i = 0; i < 8; ++i) {
+    if (((marks >> (8 * i)) & lowest(8)) == 0 || !nodeChildExists(word, i)) continue;
+    const Node* family = getNodeChild(word, i);
+    if (!nodeHasChildren(family)) continue;
+    for (unsigned j = 0; j < 8; ++j)
+      if (nodeChildExists(family, j)) prefetch(getNodeChild(family, j));
+  }
+}
+
+/// @param voxels number of voxels below the node: 64 or 8.
 /// @return the voxels that became free or occupied, in the bits of `marks`.
 VoxelTree::Change VoxelTree::updateBelow(const Place& place, unsigned voxels, const Marks& marks) {
   if (ignores(place, marks)) return {};
@@ -100,6 +137,7 @@ VoxelTree::Change VoxelTree::updateBelow(const Place& place, unsigned voxels, co
     if (marks.free == all) return updateLeaf(place, all, prob_miss_log);
     if (marks.occupied == all) return updateLeaf(place, all, prob_hit_log);
   }
+  if (voxels == 8) return updateVoxels(place, marks);
   const unsigned part = voxels / 8;
   Change change;
   for (unsigned i = 0; i < 8; ++i) {
@@ -111,6 +149,33 @@ VoxelTree::Change VoxelTree::updateBelow(const Place& place, unsigned voxels, co
     change.occupied |= of_child.occupied << (i * part);
   }
   finish(place.node);
+  return change;
+}
+
+/// Of a node of eight voxels: what `updateLeaf` and `finish` do, in one pass over the children.
+VoxelTree::Change VoxelTree::updateVoxels(const Place& place, const Marks& marks) {
+  if (isLeaf(place)) expandNode(place.node);
+  Change change;
+  float lowest_log_odds = std::numeric_limits<float>::max();
+  float highest_log_odds = std::numeric_limits<float>::lowest();
+  unsigned known = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const std::uint64_t bit = std::uint64_t{1} << i;
+    if (((marks.free | marks.occupied) & bit) != 0) {
+      const float update = (marks.free & bit) != 0 ? prob_miss_log : prob_hit_log;
+      const Change of_voxel = updateLeaf(child(place, i), bit, update);
+      change.free |= of_voxel.free;
+      change.occupied |= of_voxel.occupied;
+    } else if (!nodeChildExists(place.node, i)) {
+      continue;
+    }
+    ++known;
+    const float log_odds = getNodeChild(place.node, i)->getLogOdds();
+    lowest_log_odds = std::min(lowest_log_odds, log_odds);
+    highest_log_odds = std::max(highest_log_odds, log_odds);
+  }
+  place.node->setLogOdds(highest_log_odds);
+  if (known == 8 && !(lowest_log_odds < highest_log_odds)) (void)pruneNode(place.node);
   return change;
 }
 

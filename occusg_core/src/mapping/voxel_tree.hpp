@@ -70,12 +70,15 @@ class VoxelTree final : public octomap::OcTree {
   void updateAbove(const Place& place, unsigned depth, BlockIterator first, BlockIterator last);
   void updateBlock(const Place& place, const VoxelBlock& block);
   Change updateBelow(const Place& place, unsigned voxels, const Marks& marks);
+  Change updateVoxels(const Place& place, const Marks& marks);
   Change updateLeaf(const Place& place, std::uint64_t all, float log_odds);
 
   [[nodiscard]] static Marks allMarks(BlockIterator first, BlockIterator last);
   [[nodiscard]] Place child(const Place& parent, unsigned index);
   [[nodiscard]] bool isLeaf(const Place& place) const;
   [[nodiscard]] bool ignores(const Place& place, const Marks& marks) const;
+  void fetch(const Place& place, const VoxelBlock& block) const;
+  void fetchVoxels(const Node* word, std::uint64_t marks) const;
   void finish(Node* node);
   void note(const VoxelBlock& block, const BlockChange& change);
   [[nodiscard]] std::vector<Cell> changedColumns();

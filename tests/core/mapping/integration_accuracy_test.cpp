@@ -80,12 +80,12 @@ TEST(IntegrationAccuracy, HoldsOverAWholeRecording) {
 TEST(IntegrationAccuracy, HoldsInABuildingWithLongViews) {
   const testing::BoxWorld world = testing::deepBuilding();
   expectAccuracyRule(
-      imagesOf(4, 4, [&](std::size_t i) { return testing::deepFrame(world, 40 * i, 4); }));
+      imagesOf(3, 4, [&](std::size_t i) { return testing::deepFrame(world, 40 * i, 4); }));
 }
 
 TEST(IntegrationAccuracy, HoldsWithDepthNoiseAndPixelsThatAreMissing) {
   const testing::BoxWorld world = testing::deepBuilding();
-  expectAccuracyRule(imagesOf(4, 4, [&](std::size_t i) {
+  expectAccuracyRule(imagesOf(3, 4, [&](std::size_t i) {
     DepthFrame frame = testing::deepFrame(world, 60 * i, 4, testing::DepthNoise::kStereo);
     for (int v = 0; v < frame.depth.pixels.rows; v += 4)
       for (int u = v % 64; u < frame.depth.pixels.cols; u += 12)

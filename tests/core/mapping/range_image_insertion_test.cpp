@@ -128,6 +128,32 @@ TEST(RangeImageInsertion, MapThatHasReachedItsMemoryTakesNoMore) {
   }
 }
 
+std::unique_ptr<octomap::OcTree> copyOf(const OccupancyMap& map) {
+  return std::make_unique<octomap::OcTree>(map.tree());
+}
+
+TEST(RangeImageInsertion, LoadedMapThatIsTooLargeTakesNoMore) {
+  OccupancyMap saved = mapWith(IntegrationMode::kExact);
+  saved.insert(imageFrom({1.9, 2.05, 1.2}));
+  OccupancyMapConfig config;
+  config.max_memory_mb = 0.1;
+  OccupancyMap map(config, copyOf(saved));
+  EXPECT_TRUE(map.insert(imageFrom({1.9, 2.05, 1.2}, 3.0)).memory_exhausted);
+  EXPECT_TRUE(map.tree() == saved.tree());
+}
+
+TEST(RangeImageInsertion, LoadedMapGoesOnAsIfItHadNotBeenSaved) {
+  OccupancyMap one = mapWith(IntegrationMode::kExact);
+  for (int i = 0; i < 8; ++i) one.insert(imageFrom({1.9, 2.05, 1.2}, 0.05 * i));
+  OccupancyMap other(one.config(), copyOf(one));
+  ASSERT_TRUE(other.tree() == one.tree());
+  for (int i = 0; i < 8; ++i) {
+    one.insert(imageFrom({1.9, 2.05, 1.2}, 3.0 - 0.05 * i));
+    other.insert(imageFrom({1.9, 2.05, 1.2}, 3.0 - 0.05 * i));
+  }
+  EXPECT_TRUE(other.tree() == one.tree());
+}
+
 TEST(RangeImageInsertion, ChangedColumnsAreExactlyThoseThatDiffer) {
   OccupancyMap map = mapWith(IntegrationMode::kExact);
   auto before = std::make_unique<octomap::OcTree>(OccupancyMapConfig{}.resolution_m);
