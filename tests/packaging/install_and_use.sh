@@ -12,7 +12,9 @@ mkdir -p "$work"
 # DESTDIR, not --prefix: catkin writes its set-up files to the prefix given when configuring.
 DESTDIR="$work/stage" cmake --install "$build" > "$work/install.log"
 prefix=$(sed -n 's/^CMAKE_INSTALL_PREFIX:PATH=//p' "$build/CMakeCache.txt")
+# Built with ROS, the package leads to catkin, whose modules belong to the system's Python.
 cmake -S "$here/consumer" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 \
   -Doccusg_DIR="$work/stage$prefix/share/occusg/cmake" > "$work/configure.log"
 cmake --build "$work/build" > "$work/build.log"
 LD_LIBRARY_PATH="$work/stage$prefix/lib:${LD_LIBRARY_PATH:-}" "$work/build/consumer"
