@@ -7,7 +7,7 @@ install(TARGETS occusg_core EXPORT occusgTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY occusg_core/include/occusg DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY occusg_core/include/occusg DESTINATION include)
 install(EXPORT occusgTargets NAMESPACE occusg:: DESTINATION ${OCCUSG_CMAKE_DIR})
 export(EXPORT occusgTargets NAMESPACE occusg:: FILE "${PROJECT_BINARY_DIR}/occusgTargets.cmake")
 
@@ -24,6 +24,7 @@ if(NOT OCCUSG_HAVE_ROS)
     "${PROJECT_BINARY_DIR}/occusgConfig.cmake" INSTALL_DESTINATION ${OCCUSG_CMAKE_DIR})
   write_basic_package_version_file("${PROJECT_BINARY_DIR}/occusgConfigVersion.cmake"
     COMPATIBILITY SameMinorVersion)
+  #catkin_lint: ignore_once missing_file
   install(FILES "${PROJECT_BINARY_DIR}/occusgConfig.cmake"
     "${PROJECT_BINARY_DIR}/occusgConfigVersion.cmake" DESTINATION ${OCCUSG_CMAKE_DIR})
   install(FILES package.xml DESTINATION share/occusg)

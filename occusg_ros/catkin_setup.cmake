@@ -66,9 +66,8 @@ generate_dynamic_reconfigure_options(
   occusg_ros/cfg/SceneGraphLive.cfg)
 
 # Libraries come from the exported targets (occusg-extras.cmake): catkin would look for them by name
-# in the prefix given when configuring, so a staged or moved install would not be found. Who finds
-# this package needs its messages and the core, and none of what the nodelets are made of.
+# in the prefix given when configuring, so a staged or moved install would not be found.
 catkin_package(
   INCLUDE_DIRS occusg_core/include occusg_ros/include
-  CATKIN_DEPENDS message_runtime geometry_msgs nav_msgs sensor_msgs std_msgs
+  CATKIN_DEPENDS message_runtime ${OCCUSG_ROS_PACKAGES}
   CFG_EXTRAS occusg-extras.cmake)
