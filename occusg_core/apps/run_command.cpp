@@ -191,20 +191,16 @@ void printCounts(const PipelineCounts& counts) {
               << " refused; " << counts.objects.merged << " objects merged, "
               << counts.objects.ghosts << " removed as ghosts\n";
   }
-  if (counts.points_outside_map > 0)
-    std::cout << "  " << counts.points_outside_map
-              << " points ignored: they lie beyond the 32 768 voxels an OctoMap reaches from its "
-                 "origin\n";
-  if (counts.frames_outside_map > 0)
-    std::cout << "  " << counts.frames_outside_map << " frames from outside the map, ignored\n";
-  if (counts.frames_without_depth > 0)
-    std::cout << "  " << counts.frames_without_depth << " frames without any depth\n";
-  if (counts.frames_from_occupied > 0)
-    std::cout << "  " << counts.frames_from_occupied
-              << " frames from inside an occupied voxel, not mapped\n";
-  if (counts.frames_without_memory > 0)
-    std::cout << "  " << counts.frames_without_memory
-              << " frames not mapped: the map has reached mapping.occupancy.max_memory_mb\n";
+  const auto say = [](std::size_t count, const char* what) {
+    if (count > 0) std::cout << "  " << count << what << '\n';
+  };
+  say(counts.points_outside_map,
+      " points ignored: they lie beyond the 32 768 voxels an OctoMap reaches from its origin");
+  say(counts.frames_outside_map, " frames from outside the map, ignored");
+  say(counts.frames_without_depth, " frames without any depth");
+  say(counts.frames_from_occupied, " frames from inside an occupied voxel, not mapped");
+  say(counts.frames_without_memory,
+      " frames not mapped: the map has reached mapping.occupancy.max_memory_mb");
 }
 
 void reportSkipped(const std::vector<std::string>& sentences, const std::string& what) {
@@ -246,9 +242,10 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
                  values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip, known_until_s);
   failWhenMostFramesAreBad(outcome, sequence.scene());
   failWhenNoFrameIsNew(outcome, sequence.scene());
-  if (session_folder)
+  if (session_folder) {
     saveSession(*session_folder, pipeline.occupancyMap().tree(),
                 pipeline.sessionState(sequence.scene()));
+  }
   pipeline.finish();
 
   StageTimes times = pipeline.times();

@@ -30,9 +30,10 @@ void FreeSpaceLinks::update(SceneGraph& graph) {
           objects.insert(near);
       }
     }
-    for (const EdgeKey& edge : changes.removed_edges)
+    for (const EdgeKey& edge : changes.removed_edges) {
       if (edge.type == EdgeType::kNearestFreeSpace && graph.find(edge.source) != nullptr)
         objects.insert(edge.source);
+    }
   } else {
     for (const auto& [id, node] : graph.nodes(NodeType::kObject)) objects.insert(id);
   }

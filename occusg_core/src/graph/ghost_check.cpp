@@ -34,9 +34,9 @@ bool isSeenThrough(const octomap::OcTree& map, const Eigen::AlignedBox3d& box) {
   int unknown = 0;
   int occupied = 0;
   for (int i = 0; i < points; ++i) {
-    const Eigen::Vector3d share((i % steps[0] + 0.5) / steps[0],
-                                (i / steps[0] % steps[1] + 0.5) / steps[1],
-                                (i / steps[0] / steps[1] + 0.5) / steps[2]);
+    const std::array<int, 3> step{i % steps[0], i / steps[0] % steps[1], i / steps[0] / steps[1]};
+    const Eigen::Vector3d share((step[0] + 0.5) / steps[0], (step[1] + 0.5) / steps[1],
+                                (step[2] + 0.5) / steps[2]);
     const Eigen::Vector3d at = inside.min() + size.cwiseProduct(share);
     const octomap::OcTreeNode* const voxel = map.search(at.x(), at.y(), at.z());
     if (voxel == nullptr) {

@@ -119,6 +119,7 @@ std::vector<AdjacentRoom> adjacentRooms(const SceneGraph& graph, NodeId room) {
     if (to != doors_to.end()) to->second.push_back(id);
   }
   std::vector<AdjacentRoom> rooms;
+  rooms.reserve(doors_to.size());
   for (auto& [beside, doors] : doors_to) rooms.push_back({beside, std::move(doors)});
   return rooms;
 }

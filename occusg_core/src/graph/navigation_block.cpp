@@ -24,9 +24,10 @@ NavigationBlock::NavigationBlock(const FreeSpace& layer, const Cell& index, int 
               kNoPart) {
   auto label_of_cell = labels_.begin();
   for (int y = 0; y < side_; ++y) {
-    for (int x = 0; x < side_; ++x, ++label_of_cell)
+    for (int x = 0; x < side_; ++x, ++label_of_cell) {
       if (layer.cells.valueOr({first_.x + x, first_.y + y}, kUnknown) == kFree)
         *label_of_cell = kNotYet;
+    }
   }
   label(neighbours);
   measure();
@@ -48,7 +49,7 @@ void NavigationBlock::label(CellNeighbours neighbours) {
           const int x = at % side_ + dx;
           const int y = at / side_ + dy;
           if (x < 0 || y < 0 || x >= side_ || y >= side_) continue;
-          Part& beside = labels_[static_cast<std::size_t>(y * side_ + x)];
+          Part& beside = labels_[placeOf(x, y)];
           if (beside != kNotYet) continue;
           beside = last;
           open.push_back(y * side_ + x);
@@ -65,9 +66,11 @@ void NavigationBlock::measure() {
   };
   std::vector<Sum> sums(parts_.size());
   const auto forEachFreeCell = [&](const auto& visit) {
-    for (int y = 0; y < side_; ++y)
-      for (int x = 0; x < side_; ++x)
+    for (int y = 0; y < side_; ++y) {
+      for (int x = 0; x < side_; ++x) {
         if (const Part part = partAt(x, y); part != kNoPart) visit(x, y, part - std::size_t{1});
+      }
+    }
   };
   forEachFreeCell([&](int x, int y, std::size_t part) {
     ++parts_[part].cells;
@@ -96,8 +99,13 @@ int NavigationBlock::freeCells() const {
                          [](int sum, const Extent& part) { return sum + part.cells; });
 }
 
+std::size_t NavigationBlock::placeOf(int x, int y) const {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) +
+         static_cast<std::size_t>(x);
+}
+
 NavigationBlock::Part NavigationBlock::partAt(int x, int y) const {
-  return labels_.empty() ? kNoPart : labels_[static_cast<std::size_t>(y * side_ + x)];
+  return labels_.empty() ? kNoPart : labels_[placeOf(x, y)];
 }
 
 NavigationBlock::Part NavigationBlock::partAt(const Cell& cell) const {

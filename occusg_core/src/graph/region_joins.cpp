@@ -13,16 +13,18 @@ void RegionJoins::update(const SceneGraph& graph, const EntityAssignment& assign
   revision_ = graph.revision();
   std::set<Ends> edges;
   if (changes.complete) {
-    for (const auto* list : {&changes.added_edges, &changes.removed_edges})
+    for (const auto* list : {&changes.added_edges, &changes.removed_edges}) {
       for (const EdgeKey& edge : *list)
         if (edge.type == EdgeType::kTraversable) edges.emplace(edge.source, edge.target);
+    }
   } else {
     for (const auto& [ends, regions] : joins_) edges.insert(ends);
     for (const auto& [ends, edge] : graph.edges(EdgeType::kTraversable)) edges.insert(ends);
   }
-  for (const NodeId entity : assignment.reassigned())
+  for (const NodeId entity : assignment.reassigned()) {
     for (const NodeId beside : graph.targets(EdgeType::kTraversable, entity))
       edges.insert(std::minmax(entity, beside));
+  }
   for (const Ends& edge : edges) refresh(graph, assignment, edge);
 }
 

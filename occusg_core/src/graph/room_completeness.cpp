@@ -84,9 +84,10 @@ void RoomCompleteness::update(SceneGraph& graph, const FreeSpace& layer, const C
   const auto isRoom = [](NodeId id) {
     return id >= firstId(NodeType::kRoom) && id < firstId(NodeType::kDoor);
   };
-  for (const auto* list : {&changes.added_nodes, &changes.changed_nodes})
+  for (const auto* list : {&changes.added_nodes, &changes.changed_nodes}) {
     for (const NodeId id : *list)
       if (isRoom(id)) rooms.insert(id);
+  }
   for (const NodeId id : changes.removed_nodes) confirmed_.erase(id);
   if (!changes.complete)
     for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) rooms.insert(id);
@@ -95,9 +96,10 @@ void RoomCompleteness::update(SceneGraph& graph, const FreeSpace& layer, const C
     const Point2 high = layer.frame.corner(changed.max);
     const Bounds2 reach{{low.x - kReach_m, low.y - kReach_m},
                         {high.x + kReach_m, high.y + kReach_m}};
-    for (const NodeId id : graph.inBox(NodeType::kRoom, reach))
+    for (const NodeId id : graph.inBox(NodeType::kRoom, reach)) {
       if (isTouchedBy({low, high}, graph.room(id).polygon, layer.frame.resolution_m))
         rooms.insert(id);
+    }
   }
   for (const NodeId room : rooms) judge(graph, room, layer);
   revision_ = graph.revision();

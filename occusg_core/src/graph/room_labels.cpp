@@ -104,9 +104,10 @@ void RoomLabeler::update(SceneGraph& graph) {
   const GraphChanges changes = graph.changesSince(revision_);
   std::set<NodeId> rooms;
   if (changes.complete) {
-    for (const auto* list : {&changes.added_edges, &changes.removed_edges})
+    for (const auto* list : {&changes.added_edges, &changes.removed_edges}) {
       for (const EdgeKey& edge : *list)
         if (edge.type == EdgeType::kContains && isObject(edge.target)) rooms.insert(edge.source);
+    }
     for (const NodeId id : changes.changed_nodes) {
       const auto room = isObject(id) ? graph.roomOf(id) : std::nullopt;
       if (room) rooms.insert(*room);

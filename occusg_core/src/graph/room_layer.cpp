@@ -140,10 +140,12 @@ std::vector<LostRoom> RoomLayer::lostRooms(const SceneGraph& graph) const {
 
 std::vector<const Region*> RoomLayer::unownedRegionsNear(const std::vector<LostRoom>& lost) const {
   std::set<int> near;
-  for (const LostRoom& room : lost)
+  for (const LostRoom& room : lost) {
     for (const int region : snapshot_.touching(bounds(*room.footprint)))
       if (!ownerOf(region)) near.insert(region);
+  }
   std::vector<const Region*> unowned;
+  unowned.reserve(near.size());
   for (const int region : near) unowned.push_back(&snapshot_.regions().at(region).region);
   return unowned;
 }
@@ -177,9 +179,10 @@ void RoomLayer::promote(SceneGraph& graph, double stamp_s, Decisions decisions) 
       decisions == Decisions::kNow && config_.promotion == PromotionEvidence::kObservedArea;
   if (!is_bootstrapped && !may_go_without) return;
   std::vector<int> deserving;
-  for (const int id : unowned_regions_)
+  for (const int id : unowned_regions_) {
     if (deservesRoom(snapshot_.regions().at(id).region, stamp_s, decisions))
       deserving.push_back(id);
+  }
   for (const int region : deserving) createRoom(graph, region, RoomReason::kPromoted, stamp_s);
 }
 

@@ -61,9 +61,10 @@ void SpatialIndex::insert(Key key, const Bounds2& bounds) {
     large_.push_back({key, bounds});
     return;
   }
-  for (std::int64_t y = box.min_y; y <= box.max_y; ++y)
+  for (std::int64_t y = box.min_y; y <= box.max_y; ++y) {
     for (std::int64_t x = box.min_x; x <= box.max_x; ++x)
       buckets_[keyOf(x, y)].push_back({key, bounds});
+  }
 }
 
 void SpatialIndex::erase(Key key, const Bounds2& bounds) {

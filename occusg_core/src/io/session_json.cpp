@@ -87,9 +87,10 @@ Pose poseIn(const json& value, const std::string& where) {
     numbers[i] = numberOf(value[i], where);
   }
   const Eigen::Quaterniond q(numbers[6], numbers[3], numbers[4], numbers[5]);
-  if (std::abs(q.norm() - 1.0) > kUnitQuaternionTolerance)
+  if (std::abs(q.norm() - 1.0) > kUnitQuaternionTolerance) {
     throw refuse(where, "has a rotation of norm " + toText(q.norm()),
                  "a unit quaternion is needed");
+  }
   Pose pose = Pose::Identity();
   pose.linear() = q.normalized().toRotationMatrix();
   pose.translation() = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);

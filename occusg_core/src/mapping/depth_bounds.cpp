@@ -105,12 +105,12 @@ void DepthBounds::quantizeFarthest(const std::vector<float>& depth) {
 
 float DepthBounds::nearest(const PixelBox& box) const {
   const std::size_t level = levelFor(box, kLevels);
-  return unit_ * bestOver(nearest_[level].data(), box, level, width_, smaller);
+  return unit_ * static_cast<float>(bestOver(nearest_[level].data(), box, level, width_, smaller));
 }
 
 float DepthBounds::farthest(const PixelBox& box) const {
   const std::size_t level = levelFor(box, kLevels);
-  return unit_ * bestOver(farthest_[level].data(), box, level, width_, larger);
+  return unit_ * static_cast<float>(bestOver(farthest_[level].data(), box, level, width_, larger));
 }
 
 }  // namespace occusg

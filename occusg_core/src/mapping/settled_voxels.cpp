@@ -18,9 +18,10 @@ std::uint64_t settledBelow(const octomap::OcTree& tree, const octomap::OcTreeNod
   }
   const unsigned part = voxels / 8;
   std::uint64_t settled = 0;
-  for (unsigned i = 0; i < 8; ++i)
+  for (unsigned i = 0; i < 8; ++i) {
     if (tree.nodeChildExists(node, i))
       settled |= settledBelow(tree, tree.getNodeChild(node, i), part) << (i * part);
+  }
   return settled;
 }
 
@@ -37,9 +38,10 @@ SettledVoxels::Bits settledIn(const octomap::OcTree& tree, std::uint64_t code) {
     settled.fill(settledBelow(tree, node, 64));
     return settled;
   }
-  for (unsigned i = 0; i < 8; ++i)
+  for (unsigned i = 0; i < 8; ++i) {
     if (tree.nodeChildExists(node, i))
       settled[i] = settledBelow(tree, tree.getNodeChild(node, i), 64);
+  }
   return settled;
 }
 

@@ -40,9 +40,10 @@ std::vector<DrawnObject> objectsOf(const SceneGraph& graph) {
 std::vector<RoomLink> linksOf(const SceneGraph& graph) {
   std::vector<RoomLink> links;
   for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
-    for (const Segment2& crossing : edge.crossings)
+    for (const Segment2& crossing : edge.crossings) {
       links.push_back({graph.at(ends.first).groundPosition(), midpoint(crossing),
                        graph.at(ends.second).groundPosition()});
+    }
   }
   return links;
 }

@@ -80,18 +80,20 @@ RoomLabelTable roomLabelsFromYaml(const std::string& yaml, const std::string& wh
     const std::optional<Line> line = parsed(text, at);
     if (!line) continue;
     if (!line->is_indented) {
-      if (!line->value.empty())
+      if (!line->value.empty()) {
         throw refuse(at, "a value follows the label '" + line->name + "'",
                      "its classes are needed");
+      }
       const auto [item, is_new] = table.try_emplace(line->name);
       if (!is_new) throw refuse(at, "label '" + line->name + "' is there twice", "keep one");
       if (table.size() > kMaxEntries) throw refuse(at, "there are over 1000 labels", "keep fewer");
       weights = &item->second;
       continue;
     }
-    if (weights == nullptr)
+    if (weights == nullptr) {
       throw refuse(at, "class '" + line->name + "' comes before any label",
                    "begin with \"label:\"");
+    }
     const double weight = weightIn(line->value, at);
     if (!weights->emplace(classKey(line->name), weight).second)
       throw refuse(at, "class '" + line->name + "' is there twice", "keep one");

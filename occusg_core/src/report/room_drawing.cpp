@@ -110,7 +110,8 @@ std::string predictedPaths(const SceneResult& result, const Matches& matches,
     const std::string fill = match == matches.truth_of_predicted.end()
                                  ? "url(#hatch)"
                                  : inHex(roomColor(match->second, kTone));
-    svg += "<path class=\"p\" fill=\"" + fill + "\" d=\"" + path + "\"/>";
+    svg.append("<path class=\"p\" fill=\"").append(fill);
+    svg.append("\" d=\"").append(path).append("\"/>");
   }
   return svg;
 }

@@ -59,6 +59,7 @@ class NavigationBlock {
   std::vector<Site> sites;  ///< By node.
 
  private:
+  [[nodiscard]] std::size_t placeOf(int x, int y) const;
   Cell first_;
   int side_ = 0;
   std::vector<Part> labels_;  ///< Row-major.

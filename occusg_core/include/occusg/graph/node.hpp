@@ -72,6 +72,7 @@ struct DoorAttributes {
 using NodeAttributes = std::variant<AgentAttributes, ObjectAttributes, NavigationAttributes,
                                     RoomAttributes, DoorAttributes>;
 
+// NOLINTNEXTLINE(bugprone-exception-escape): moving a variant is noexcept where its members are.
 struct Node {
   NodeId id = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< Map frame [m].
