@@ -79,9 +79,9 @@ void run(int frames, double area_m2) {
     std::vector<FrameTime> times;
     const std::size_t end = places.size() * static_cast<std::size_t>(part + 1) / kParts;
     for (std::size_t i = places.size() * static_cast<std::size_t>(part) / kParts; i < end; ++i) {
-      const PointCloud cloud = seenIn(building, places[i]);
+      const RangeImage image = seenIn(building, places[i]);
       const double start_s = threadTime();
-      const MapChange change = map.insert(cloud);
+      const MapChange change = map.insert(image);
       const double mapped_s = threadTime();
       (void)layer.update(map, change);
       times.push_back({1e3 * (mapped_s - start_s), 1e3 * (threadTime() - mapped_s)});

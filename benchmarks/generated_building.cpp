@@ -25,6 +25,11 @@ constexpr double kPitch_m = kPitch * kResolution_m;
 constexpr double kCameraHeight_m = 1.2;
 constexpr double kFarthest_m = 10.0;
 
+Point3f toPoint3f(const Eigen::Vector3d& point) {
+  return {static_cast<float>(point.x()), static_cast<float>(point.y()),
+          static_cast<float>(point.z())};
+}
+
 /// Which sides of a room have a door; the eastern and northern wall belong to the next room, if
 /// there is one.
 struct RoomKind {
@@ -210,31 +215,37 @@ GeneratedBuilding buildingOf(double area_m2) {
   return {side, side};
 }
 
-PointCloud seenIn(const GeneratedBuilding& building, const CameraPlace& place) {
-  constexpr int kColumns = 320;
-  constexpr int kRows = 240;
+RangeImage seenIn(const GeneratedBuilding& building, const CameraPlace& place) {
   constexpr double kFocal_pixels = 277.0;
-  const double cos = std::cos(place.yaw_rad);
-  const double sin = std::sin(place.yaw_rad);
-  PointCloud cloud;
-  cloud.origin = {static_cast<float>(place.x_m), static_cast<float>(place.y_m),
-                  static_cast<float>(kCameraHeight_m)};
-  cloud.points.reserve(static_cast<std::size_t>(kColumns) * kRows);
-  for (int v = 0; v < kRows; ++v) {
-    for (int u = 0; u < kColumns; ++u) {
-      const double left = (kColumns / 2 - u - 0.5) / kFocal_pixels;
-      const double up = (kRows / 2 - v - 0.5) / kFocal_pixels;
-      const Ray ray{{place.x_m, place.y_m, kCameraHeight_m},
-                    {cos - left * sin, sin + left * cos, up}};
-      // Just behind the surface, so that the end lies in the solid voxel.
-      const double depth_m = hit(building, ray) + 0.001;
-      if (depth_m >= kFarthest_m) continue;
-      cloud.points.push_back({static_cast<float>(ray.at(0, depth_m)),
-                              static_cast<float>(ray.at(1, depth_m)),
-                              static_cast<float>(ray.at(2, depth_m))});
-    }
+  const Eigen::Vector3d forward(std::cos(place.yaw_rad), std::sin(place.yaw_rad), 0.0);
+  const Eigen::Vector3d right(forward.y(), -forward.x(), 0.0);
+  const Eigen::Vector3d position(place.x_m, place.y_m, kCameraHeight_m);
+  RangeImage image;
+  image.camera = {320, 240, kFocal_pixels, kFocal_pixels, 159.5, 119.5};
+  image.T_map_camera.matrix().col(0).head<3>() = right;
+  image.T_map_camera.matrix().col(1).head<3>() = -Eigen::Vector3d::UnitZ();
+  image.T_map_camera.matrix().col(2).head<3>() = forward;
+  image.T_map_camera.translation() = position;
+  image.origin = toPoint3f(position);
+  const auto pixels = static_cast<std::size_t>(image.camera.width * image.camera.height);
+  image.ends.resize(pixels);
+  image.kinds.assign(pixels, RayEnd::kNone);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const auto u = static_cast<double>(i % static_cast<std::size_t>(image.camera.width));
+    const auto v = static_cast<double>(i / static_cast<std::size_t>(image.camera.width));
+    const Eigen::Vector3d direction =
+        image.T_map_camera.linear() * Eigen::Vector3d((u - image.camera.cx) / kFocal_pixels,
+                                                      (v - image.camera.cy) / kFocal_pixels, 1.0);
+    // Just behind the surface, so that the end lies in the solid voxel.
+    const double depth_m = hit(building, {{position.x(), position.y(), position.z()},
+                                          {direction.x(), direction.y(), direction.z()}}) +
+                           0.001;
+    if (depth_m >= kFarthest_m) continue;
+    image.ends[i] = toPoint3f(position + depth_m * direction);
+    image.kinds[i] = RayEnd::kHit;
+    ++image.hits;
   }
-  return cloud;
+  return image;
 }
 
 void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyMap& map) {

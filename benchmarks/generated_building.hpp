@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "occusg/mapping/occupancy_map.hpp"
-#include "occusg/perception/point_cloud.hpp"
+#include "occusg/perception/range_image.hpp"
 
 namespace occusg {
 
@@ -29,7 +29,7 @@ struct CameraPlace {
 
 /// What a depth camera of 640 x 480 pixels and 60 degrees sees of the building at every second
 /// pixel, up to 10 m.
-[[nodiscard]] PointCloud seenIn(const GeneratedBuilding& building, const CameraPlace& place);
+[[nodiscard]] RangeImage seenIn(const GeneratedBuilding& building, const CameraPlace& place);
 
 /// Fills the map as many frames from everywhere would: all free voxels and the surfaces around them
 /// at their clamped values.

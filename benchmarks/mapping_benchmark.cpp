@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cost of a frame's way into the occupancy map, beside OctoMap's own two ways: over the project's
 // recording, over those of OCCUSG_RGBD_DIR and over a generated building with long views. All ways
-// take the same frames in turn within one run, a few frames at a time, so that each is measured in
-// the same state of the machine; compare only figures of one run.
+// take the same frames in turn within one run, so that each is measured in the same state of the
+// machine, and enough of them at a time that each has its own map in the cache, as a robot that
+// builds one map has; compare only figures of one run.
 #include <benchmark/benchmark.h>
 #include <octomap/octomap.h>
 
@@ -30,7 +31,7 @@ namespace occusg {
 namespace {
 
 constexpr int kStride = 2;
-constexpr std::size_t kTurn_frames = 10;
+constexpr std::size_t kTurn_frames = 50;
 constexpr std::size_t kDeepFrames = 80;
 constexpr std::size_t kMostFrames = 250;
 

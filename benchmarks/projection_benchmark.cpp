@@ -56,8 +56,8 @@ void updateAfterOneFrame(benchmark::State& state) {
   std::vector<double> times_ms;
   double columns = 0.0;
   for (auto _ : state) {
-    const PointCloud cloud = seenIn(building, places[times_ms.size() % places.size()]);
-    const MapChange change = map.insert(cloud);
+    const RangeImage image = seenIn(building, places[times_ms.size() % places.size()]);
+    const MapChange change = map.insert(image);
     const double start_s = threadTime();
     benchmark::DoNotOptimize(layer.update(map, change));
     const double taken_s = threadTime() - start_s;
