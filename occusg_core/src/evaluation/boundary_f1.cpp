@@ -2,8 +2,10 @@
 #include "occusg/evaluation/boundary_f1.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 
 #include "occusg/error.hpp"
@@ -11,8 +13,7 @@
 namespace occusg {
 namespace {
 
-/// [m] So that rounding decides nothing: a length of a whole number of steps gets that many points,
-/// a point at the end of a ring belongs to the next, and one at the tolerance counts.
+/// [m] A length of a whole number of steps gets that many points, and one at the tolerance counts.
 constexpr double kRounding = 1e-9;
 
 void appendEdges(const Ring& ring, std::vector<Segment2>& edges) {
@@ -20,13 +21,76 @@ void appendEdges(const Ring& ring, std::vector<Segment2>& edges) {
     edges.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
 }
 
+/// Of all parts: the outer ring, then the holes.
+std::vector<const Ring*> ringsOf(const EvaluatedRoom& room) {
+  std::vector<const Ring*> rings;
+  for (const Polygon& part : room.parts) {
+    rings.push_back(&part.outer);
+    for (const Ring& hole : part.holes) rings.push_back(&hole);
+  }
+  return rings;
+}
+
 std::vector<Segment2> edgesOf(const EvaluatedRoom& room) {
   std::vector<Segment2> edges;
-  for (const Polygon& part : room.parts) {
-    appendEdges(part.outer, edges);
-    for (const Ring& hole : part.holes) appendEdges(hole, edges);
-  }
+  for (const Ring* ring : ringsOf(room)) appendEdges(*ring, edges);
   return edges;
+}
+
+/// Pairwise summation in blocks of eight, whose rounding error does not grow with the number of
+/// edges (Higham, Accuracy and Stability of Numerical Algorithms, Sec. 4.2). NumPy sums in this
+/// very order: where a boundary is a whole number of steps long, the last bit of its length decides
+/// on which ring a point at the end of one falls, and both are to find the same.
+double pairwiseSum(const double* values, std::size_t count) {
+  constexpr std::size_t kLanes = 8;
+  constexpr std::size_t kLongestBlock = 128;
+  if (count < kLanes) return std::accumulate(values, values + count, 0.0);
+  if (count > kLongestBlock) {
+    const std::size_t half = count / 2 / kLanes * kLanes;
+    return pairwiseSum(values, half) + pairwiseSum(values + half, count - half);
+  }
+  std::array<double, kLanes> sums{};
+  const std::size_t whole = count / kLanes * kLanes;
+  for (std::size_t i = 0; i < whole; ++i) sums[i % kLanes] += values[i];
+  const double sum =
+      ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+  return std::accumulate(values + whole, values + count, sum);
+}
+
+double exactLength(const Ring& ring) {
+  std::vector<Segment2> edges;
+  appendEdges(ring, edges);
+  std::vector<double> lengths;
+  lengths.reserve(edges.size());
+  for (const Segment2& edge : edges) lengths.push_back(length(edge));
+  return pairwiseSum(lengths.data(), lengths.size());
+}
+
+/// Appends the samples of one ring, of which those before `samples.size()` are on earlier rings.
+/// @param start length of all rings before; moved to the ring's end.
+void sampleRing(const Ring& ring, double spacing, std::size_t count, double& start,
+                std::vector<Point2>& samples) {
+  std::vector<Segment2> edges;
+  appendEdges(ring, edges);
+  double ring_length = 0.0;
+  for (const Segment2& edge : edges) ring_length += length(edge);
+  const double end = start + ring_length;
+  auto edge = edges.begin();
+  double before_edge = 0.0;
+  while (samples.size() < count) {
+    const double target = static_cast<double>(samples.size()) * spacing;
+    if (target >= end) break;
+    const double along = target - start;
+    while (edge + 1 != edges.end() && along >= before_edge + length(*edge)) {
+      before_edge += length(*edge);
+      ++edge;
+    }
+    const double edge_length = length(*edge);
+    const double t = edge_length > 0.0 ? std::min(1.0, (along - before_edge) / edge_length) : 0.0;
+    samples.push_back(
+        {edge->a.x + t * (edge->b.x - edge->a.x), edge->a.y + t * (edge->b.y - edge->a.y)});
+  }
+  start = end;
 }
 
 /// Share of `points` within `tolerance_m` of an edge.
@@ -57,9 +121,9 @@ double shareNear(const std::vector<Point2>& points, const std::vector<Segment2>&
 std::vector<Point2> boundarySamples(const EvaluatedRoom& room, double step_m) {
   if (!(step_m > 0.0))
     throw refuse("boundary step", std::to_string(step_m) + " m", "must be greater than 0");
-  const std::vector<Segment2> edges = edgesOf(room);
+  const std::vector<const Ring*> rings = ringsOf(room);
   double total = 0.0;
-  for (const Segment2& edge : edges) total += length(edge);
+  for (const Ring* ring : rings) total += exactLength(*ring);
   if (!(total > 0.0)) return {};
   const double wanted = std::max(1.0, std::ceil(total / step_m - kRounding));
   if (!(wanted <= kMaxBoundarySamples)) {
@@ -73,17 +137,7 @@ std::vector<Point2> boundarySamples(const EvaluatedRoom& room, double step_m) {
   std::vector<Point2> samples;
   samples.reserve(count);
   double start = 0.0;
-  for (const Segment2& edge : edges) {
-    const double edge_length = length(edge);
-    while (samples.size() < count) {
-      const double along = static_cast<double>(samples.size()) * spacing - start;
-      if (along >= edge_length - kRounding) break;
-      const double t = along / edge_length;
-      samples.push_back(
-          {edge.a.x + t * (edge.b.x - edge.a.x), edge.a.y + t * (edge.b.y - edge.a.y)});
-    }
-    start += edge_length;
-  }
+  for (const Ring* ring : rings) sampleRing(*ring, spacing, count, start, samples);
   return samples;
 }
 
