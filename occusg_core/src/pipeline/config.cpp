@@ -134,10 +134,10 @@ void addConstriction(Parameters& list, ConstrictionDecomposerConfig& constrictio
   list.push_back(numberParameter(
       constriction.door_reach_m, {0.0, 100.0},
       {"regions.constriction.door_reach_m", "m", "Within this distance of the passage."}));
-  list.push_back(numberParameter(
-      constriction.highest_lintel_m, {0.0, 10.0},
-      {"regions.constriction.highest_lintel_m", "m",
-       "Something overhead from 1.7 m up to here above the floor separates two regions."}));
+  list.push_back(numberParameter(constriction.highest_lintel_m, {0.0, 10.0},
+                                 {"regions.constriction.highest_lintel_m", "m",
+                                  "Something overhead from 1.7 m up to here above the floor "
+                                  "separates two regions; 0: never."}));
   list.push_back(numberParameter(constriction.min_region_area_m2, {0.0, 1e6},
                                  {"regions.constriction.min_region_area_m2", "m2",
                                   "Smaller regions join a neighbour or are dropped."}));

@@ -19,6 +19,8 @@ namespace {
 
 /// What narrows by less is the unevenness of a wall.
 constexpr double kOpenRatio = 0.95;
+/// [m] Lower than a low door: something that hangs lower is furniture.
+constexpr double kLowestLintel_m = 1.7;
 
 /// Smallest number of cells that cover at least `area_m2`.
 std::size_t cellsOf(double area_m2, const GridFrame& frame) {
@@ -66,7 +68,8 @@ Grid<std::int32_t> spreadOver(const CellBox& box, const Grid<std::int32_t>& labe
 /// Labels over the bounds of the free cells; no cells when none is free.
 Grid<std::int32_t> labelsOf(const FreeSpace& layer, const ConstrictionDecomposerConfig& config) {
   const GridFrame& frame = layer.frame;
-  const Grid<std::int8_t> closed = withLintelsClosed(layer, {1.7, config.highest_lintel_m});
+  const Grid<std::int8_t> closed =
+      withLintelsClosed(layer, {kLowestLintel_m, config.highest_lintel_m});
   const Clearance clearance = clearanceOf(closed, cellsOf(config.max_filled_obstacle_m2, frame));
   if (clearance.open.empty()) return {};
   const std::size_t min_cells = cellsOf(config.min_region_area_m2, frame);

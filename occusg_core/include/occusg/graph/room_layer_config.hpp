@@ -21,7 +21,7 @@ struct RoomLayerConfig {
   double relink_min_margin = 0.15;  ///< Lead over the second best successor, of a score in 0..1.
 
   PromotionEvidence promotion = PromotionEvidence::kObservedArea;
-  double min_promoted_area_m2 = 1.5;  ///< kObservedArea: smallest region that becomes a room [m2].
+  double min_promoted_area_m2 = 1.0;  ///< kObservedArea: smallest region that becomes a room [m2].
   double min_promoted_age_s = 4.0;    ///< kObservedArea: once it has been known for so long [s].
 
   /// A room is confirmed once no more than this share of its boundary is frontier, 0..1; until then

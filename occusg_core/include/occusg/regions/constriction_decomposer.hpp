@@ -23,7 +23,7 @@ struct ConstrictionDecomposerConfig {
   double min_crossing_m = 0.3;      ///< Regions that touch along less are not adjacent [m].
   /// Something overhead from 1.7 m up to this height above the floor is a lintel and separates the
   /// regions on its two sides [m]; 0: lintels do not count.
-  double highest_lintel_m = 0.0;
+  double highest_lintel_m = 2.15;
   /// Islands (what is not free but wholly surrounded by free space: a table, its shadow) that
   /// enclose up to this area do not shape basins, unless they are long as walls are [m2].
   double max_filled_obstacle_m2 = 1.0;
