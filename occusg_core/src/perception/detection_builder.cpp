@@ -33,13 +33,15 @@ void check(const DetectionBuilderConfig& config) {
     throw refuse("cluster_eps_m", "is " + std::to_string(config.cluster_eps_m) + " m",
                  "it must be in [0.005, 10]");
   }
-  if (config.min_cluster_points < 1)
-    throw refuse("min_cluster_points", "is 0", "it must be at least 1");
+  const auto atLeastOne = [](const char* field, int value) {
+    if (value < 1) throw refuse(field, "is " + std::to_string(value), "it must be at least 1");
+  };
+  atLeastOne("min_cluster_points", config.min_cluster_points);
+  atLeastOne("max_masks", config.max_masks);
   if (!(config.max_depth_m > kMinDepth_m && config.max_depth_m <= kMaxRange_m)) {
     throw refuse("max_depth_m", "is " + std::to_string(config.max_depth_m) + " m",
                  "it must be in (0.001, 10000]");
   }
-  if (config.max_masks < 1) throw refuse("max_masks", "is 0", "it must be at least 1");
 }
 
 void check(const DepthFrame& frame) {
@@ -64,11 +66,7 @@ void check(const DepthFrame& frame) {
 }
 
 void checkSameView(const cv::Size& image, const cv::Size& depth) {
-  const double ratio = (static_cast<double>(image.width) * depth.height) /
-                       (static_cast<double>(image.height) * depth.width);
-  const bool is_sane = image.width > 0 && image.height > 0 && image.width <= kMaxImageSide &&
-                       image.height <= kMaxImageSide;
-  if (is_sane && std::abs(ratio - 1.0) <= kMaxAspectDifference) return;
+  if (isSameView(image, depth)) return;
   throw refuse("instance masks", "their image is " + sizeText(image) + " pixels",
                "it must have the aspect ratio of the depth image, " + sizeText(depth) +
                    ", and be registered to it");
@@ -227,6 +225,15 @@ Detection detectionOf(const InstanceMask& mask, const std::vector<Eigen::Vector3
 
 }  // namespace
 
+bool isSameView(const cv::Size& image, const cv::Size& depth) {
+  const bool is_sane = image.width > 0 && image.height > 0 && image.width <= kMaxImageSide &&
+                       image.height <= kMaxImageSide;
+  if (!is_sane) return false;
+  const double ratio = (static_cast<double>(image.width) * depth.height) /
+                       (static_cast<double>(image.height) * depth.width);
+  return std::abs(ratio - 1.0) <= kMaxAspectDifference;
+}
+
 DetectionBuilder::DetectionBuilder(const DetectionBuilderConfig& config) : config_(config) {
   check(config_);
 }
@@ -240,7 +247,7 @@ DetectionResult DetectionBuilder::build(const InstanceMasks& masks, const DepthF
   std::vector<std::size_t> accepted;
   for (std::size_t i = 0; i < masks.masks.size(); ++i)
     if (accept(masks.masks[i], i, masks.image_size, result.refused)) accepted.push_back(i);
-  keepBest(config_.max_masks, masks.masks, accepted, result.refused);
+  keepBest(static_cast<std::size_t>(config_.max_masks), masks.masks, accepted, result.refused);
 
   const MaskPoints mask_points(frame, masks.image_size, config_.max_depth_m);
   for (const std::size_t index : accepted) {
@@ -253,7 +260,7 @@ DetectionResult DetectionBuilder::build(const InstanceMasks& masks, const DepthF
     }
     const std::vector<Eigen::Vector3d> points = mask_points.under(mask);
     const std::vector<std::size_t> cluster = largestCluster(points, config_.cluster_eps_m);
-    if (cluster.size() < config_.min_cluster_points) {
+    if (cluster.size() < static_cast<std::size_t>(config_.min_cluster_points)) {
       result.refused.add(MaskRefusal::kTooFewPoints, [&] {
         return nameOf(index, mask) + ": its largest cluster has " + std::to_string(cluster.size()) +
                " of " + std::to_string(points.size()) + " points; a detection needs " +
