@@ -21,6 +21,8 @@ namespace {
 constexpr double kMinDepth_m = 0.001;
 /// Farther from the camera nothing is believed, whatever a focal length near zero makes of it.
 constexpr double kMaxRange_m = 1e4;
+/// However far away, things farther apart are two.
+constexpr double kWidestGap_m = 0.5;
 /// Colour and depth sensors of one device differ by a per cent (1280 x 720, 848 x 480).
 constexpr double kMaxAspectDifference = 0.02;
 
@@ -32,6 +34,10 @@ void check(const DetectionBuilderConfig& config) {
   if (!(config.cluster_eps_m >= 0.005 && config.cluster_eps_m <= 10.0)) {
     throw refuse("cluster_eps_m", "is " + std::to_string(config.cluster_eps_m) + " m",
                  "it must be in [0.005, 10]");
+  }
+  if (!(config.cluster_gap_pixels >= 0.0 && config.cluster_gap_pixels <= 100.0)) {
+    throw refuse("cluster_gap_pixels", "is " + std::to_string(config.cluster_gap_pixels),
+                 "it must be in [0, 100]");
   }
   const auto atLeastOne = [](const char* field, int value) {
     if (value < 1) throw refuse(field, "is " + std::to_string(value), "it must be at least 1");
@@ -204,6 +210,20 @@ class MaskPoints {
   std::vector<int> image_row_;
 };
 
+/// How far apart points of one object may be, at the depth its mask is seen at.
+double clusterDistance(const std::vector<Eigen::Vector3d>& points, const CameraModel& camera,
+                       const DetectionBuilderConfig& config) {
+  if (points.empty()) return config.cluster_eps_m;
+  std::vector<double> depths_m(points.size());
+  std::transform(points.begin(), points.end(), depths_m.begin(),
+                 [](const Eigen::Vector3d& point) { return point.z(); });
+  const auto median = depths_m.begin() + static_cast<std::ptrdiff_t>(depths_m.size() / 2);
+  std::nth_element(depths_m.begin(), median, depths_m.end());
+  const double pixel_m = *median / std::min(camera.fx, camera.fy);
+  return std::max(config.cluster_eps_m,
+                  std::min(kWidestGap_m, config.cluster_gap_pixels * pixel_m));
+}
+
 Detection detectionOf(const InstanceMask& mask, const std::vector<Eigen::Vector3d>& points,
                       const std::vector<std::size_t>& cluster, const DepthFrame& frame) {
   Detection detection;
@@ -259,7 +279,8 @@ DetectionResult DetectionBuilder::build(const InstanceMasks& masks, const DepthF
       continue;
     }
     const std::vector<Eigen::Vector3d> points = mask_points.under(mask);
-    const std::vector<std::size_t> cluster = largestCluster(points, config_.cluster_eps_m);
+    const std::vector<std::size_t> cluster =
+        largestCluster(points, clusterDistance(points, frame.camera, config_));
     if (cluster.size() < static_cast<std::size_t>(config_.min_cluster_points)) {
       result.refused.add(MaskRefusal::kTooFewPoints, [&] {
         return nameOf(index, mask) + ": its largest cluster has " + std::to_string(cluster.size()) +

@@ -35,6 +35,10 @@ void addDetection(Parameters& list, DetectionBuilderConfig& detection) {
       numberParameter(detection.cluster_eps_m, {0.005, 10.0},
                       {"perception.objects.cluster_eps_m", "m",
                        "Points of an object nearer than this belong together.", "0.05"}));
+  list.push_back(numberParameter(
+      detection.cluster_gap_pixels, {0.0, 100.0},
+      {"perception.objects.cluster_gap_pixels", "pixels",
+       "So do those nearer than this many pixels at their depth, up to 0.5 m.", "0"}));
   list.push_back(countParameter(
       detection.min_cluster_points, {1, 1000000},
       {"perception.objects.min_points", "pixels",

@@ -9,6 +9,11 @@ namespace occusg {
 
 struct DetectionBuilderConfig {
   double cluster_eps_m = 0.05;  ///< Points nearer than this belong together [m], [0.005, 10].
+  /// So do points nearer than this many pixels at the mask's depth, up to 0.5 m, [0, 100]. Far
+  /// surfaces are sampled more coarsely than `cluster_eps_m`: on one seen at an angle of a the
+  /// pixels are 1 / sin a apart, six at 10 degrees (the adaptive breakpoint of Borges and Aldon,
+  /// "Line extraction in 2D range images for mobile robotics", 2004).
+  double cluster_gap_pixels = 6.0;
   int min_cluster_points = 50;  ///< Fewest depth pixels of a detection, at least 1.
   double max_depth_m = 10.0;    ///< Farther pixels are not used, along the optical axis [m].
   int max_masks = kMaxMasks;    ///< Most masks of a frame; those of the best score, >= 1.
