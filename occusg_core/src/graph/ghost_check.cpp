@@ -18,9 +18,11 @@ constexpr double kMostUnknown = 0.2;
 
 bool isSeenThrough(const octomap::OcTree& map, const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return false;
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(map.getResolution());
-  const Eigen::AlignedBox3d inside(Eigen::Vector3d(box.min() + margin),
-                                   Eigen::Vector3d(box.max() - margin));
+  // Walls and the floor are not the object; but its top may be all there is of it, as of a table.
+  const double margin_m = map.getResolution();
+  const Eigen::AlignedBox3d inside(
+      Eigen::Vector3d(box.min() + Eigen::Vector3d::Constant(margin_m)),
+      Eigen::Vector3d(box.max() - Eigen::Vector3d(margin_m, margin_m, 0.0)));
   if (inside.isEmpty()) return false;
   const Eigen::Vector3d size = inside.sizes();
   std::array<int, 3> steps{};
