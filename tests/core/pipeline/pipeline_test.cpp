@@ -11,6 +11,7 @@
 #include "occusg/error.hpp"
 #include "occusg/geometry/polygon_overlap.hpp"
 #include "occusg/graph/graph_query.hpp"
+#include "occusg/io/scene_graph_file.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 
@@ -72,6 +73,22 @@ TEST(Pipeline, Row26TwoRunsGiveIdenticalBytes) {
   const auto first = bytes();
   EXPECT_EQ(first.size(), 10U);
   EXPECT_EQ(first, bytes());
+}
+
+TEST(Pipeline, Row22EveryExportedRoomIsASimplePolygonWithAnArea) {
+  const Pipeline pipeline = driven();
+  const std::string json = toJson(pipeline.graph(), "two_rooms");
+  const SceneGraph exported = parseSceneGraph(json, "scene_graph.json").graph;
+  ASSERT_EQ(exported.nodes(NodeType::kRoom).size(), 2U);
+  for (const auto& [id, node] : exported.nodes(NodeType::kRoom)) {
+    const Polygon& polygon = exported.room(id).polygon;
+    EXPECT_TRUE(isSimple(polygon));
+    EXPECT_GT(signedArea(polygon.outer), 1.0) << "not counter-clockwise";
+  }
+  for (const RoomRecord& room : roomsOf(pipeline, "two_rooms").rooms) {
+    EXPECT_TRUE(isSimple(room.polygon));
+    EXPECT_GT(signedArea(room.polygon.outer), 1.0);
+  }
 }
 
 TEST(Pipeline, RegionsFollowLogicalTimeNotFrames) {
