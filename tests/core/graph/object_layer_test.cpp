@@ -258,13 +258,17 @@ TEST(ObjectLayer, AnObjectSeenThroughThreeTimesInARowIsAGhost) {
 }
 
 TEST(GhostCheck, ATableIsNotSeenThroughThoughTheSpaceBelowItsTopIsFree) {
-  octomap::OcTree map = cubeOf(false);
-  const Eigen::AlignedBox3d table(Eigen::Vector3d(0.2, 0.2, 0.0), Eigen::Vector3d(1.8, 1.0, 0.79));
-  EXPECT_TRUE(isSeenThrough(map, table));
-  for (double y = 0.225; y < 1.0; y += 0.05)
-    for (double x = 0.225; x < 1.8; x += 0.05)
-      map.setNodeValue(x, y, 0.775, map.getClampingThresMaxLog());
-  EXPECT_FALSE(isSeenThrough(map, table));
+  for (const double top_m : {0.79, 0.801, 1.02, 1.6}) {
+    SCOPED_TRACE(top_m);
+    octomap::OcTree map = cubeOf(false);
+    const Eigen::AlignedBox3d table(Eigen::Vector3d(0.2, 0.2, 0.0),
+                                    Eigen::Vector3d(1.8, 1.0, top_m));
+    EXPECT_TRUE(isSeenThrough(map, table));
+    for (double y = 0.225; y < 1.0; y += 0.05)
+      for (double x = 0.225; x < 1.8; x += 0.05)
+        map.setNodeValue(x, y, top_m - 0.005, map.getClampingThresMaxLog());
+    EXPECT_FALSE(isSeenThrough(map, table));
+  }
 }
 
 TEST(FreeSpaceLinks, AnObjectIsLinkedToTheNearestNodeWithinReach) {
