@@ -63,6 +63,7 @@ std::vector<const Detection*> usable(const std::vector<Detection>& detections,
   }
   counts.detections += indices.size();
   std::vector<const Detection*> result;
+  result.reserve(indices.size());
   for (const std::size_t index : indices) result.push_back(&detections[index]);
   return result;
 }
@@ -156,9 +157,10 @@ void ObjectLayer::observeAtFirstSight(SceneGraph& graph, const Frame& frame, dou
 void ObjectLayer::observeRunning(SceneGraph& graph, const Frame& frame, double stamp_s) {
   Objects object_of = matchByBox(graph, frame);
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    for (std::size_t j = 0; !object_of[i] && j < i; ++j)
+    for (std::size_t j = 0; !object_of[i] && j < i; ++j) {
       if (isSameClass(*frame[i], *frame[j]) && isSameTwice(*frame[i], *frame[j]))
         object_of[i] = object_of[j];
+    }
     if (object_of[i]) {
       absorb(graph, *object_of[i], *frame[i], stamp_s);
     } else {
