@@ -96,6 +96,7 @@ occusg_add_floor(graph
     room_labels.cpp
     room_layer.cpp
     scene_graph.cpp
+    seen_apart.cpp
     spatial_index.cpp
   USES geometry perception mapping regions)
 

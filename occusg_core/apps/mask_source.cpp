@@ -5,12 +5,21 @@
 
 #include "occusg/error.hpp"
 #include "occusg/io/object_labels.hpp"
-#include "occusg/perception/class_names.hpp"
+#include "occusg/perception/detection_builder.hpp"
 #include "occusg/perception/label_image.hpp"
-#include "occusg/perception/onnx_segmenter.hpp"
 
 namespace occusg::apps {
 namespace {
+
+/// @throws Error unless the image shows what the depth image shows.
+void checkSize(const cv::Mat& image, const std::string& path, const Frame& frame) {
+  const cv::Size depth = frame.depth.pixels.size();
+  if (isSameView(image.size(), depth)) return;
+  throw refuse(path,
+               "is " + std::to_string(image.cols) + " x " + std::to_string(image.rows) + " pixels",
+               "the aspect ratio of the depth image, " + std::to_string(depth.width) + " x " +
+                   std::to_string(depth.height) + ", is needed");
+}
 
 InstanceMasks noMasks(const Frame& frame) {
   InstanceMasks masks;
@@ -24,12 +33,8 @@ MaskSource::MaskSource(const SequenceReader& sequence) {
   if (const auto path = sequence.truthPath()) label_of_object_ = readObjectLabels(*path);
 }
 
-MaskSource::MaskSource(const std::string& model_path, const std::string& classes_path) {
-  OnnxSegmenterConfig config;
-  config.model_path = model_path;
-  config.class_names = readClassNames(classes_path);
-  segmenter_ = std::make_unique<OnnxSegmenter>(config);
-}
+MaskSource::MaskSource(const OnnxSegmenterConfig& model)
+    : segmenter_(std::make_unique<OnnxSegmenter>(model)) {}
 
 InstanceMasks MaskSource::masksOf(const Frame& frame) {
   if (segmenter_) {
@@ -37,10 +42,13 @@ InstanceMasks MaskSource::masksOf(const Frame& frame) {
     const cv::Mat image = cv::imread(*frame.color_path, cv::IMREAD_COLOR);
     if (image.empty())
       throw refuse(*frame.color_path, "cannot be read", "a colour image is needed");
+    checkSize(image, *frame.color_path, frame);
     return segmenter_->segment(image);
   }
   if (!frame.label_path || label_of_object_.empty()) return noMasks(frame);
-  return occusg::masksOf(readLabelImage(*frame.label_path), label_of_object_);
+  const cv::Mat object_ids = readLabelImage(*frame.label_path);
+  checkSize(object_ids, *frame.label_path, frame);
+  return occusg::masksOf(object_ids, label_of_object_);
 }
 
 }  // namespace occusg::apps

@@ -7,6 +7,7 @@
 
 #include "occusg/io/sequence_reader.hpp"
 #include "occusg/perception/instance_segmenter.hpp"
+#include "occusg/perception/onnx_segmenter.hpp"
 
 namespace occusg::apps {
 
@@ -17,7 +18,7 @@ class MaskSource {
   /// Label images, when the recording's `rooms.json` names their objects.
   explicit MaskSource(const SequenceReader& sequence);
   /// A segmentation model on the colour images.
-  MaskSource(const std::string& model_path, const std::string& classes_path);
+  explicit MaskSource(const OnnxSegmenterConfig& model);
 
   /// The objects in the frame; none when there is no image to find them in.
   /// @throws Error when the image cannot be used.

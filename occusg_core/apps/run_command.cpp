@@ -14,6 +14,7 @@
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/sequence_reader.hpp"
+#include "occusg/perception/class_names.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "occusg/pipeline/room_labels_file.hpp"
@@ -92,14 +93,18 @@ PipelineConfig configFrom(const po::variables_map& values) {
   return config;
 }
 
-MaskSource masksFor(const SequenceReader& sequence, const po::variables_map& values) {
+/// @param model how a model is used, if the options name one.
+MaskSource masksFor(const SequenceReader& sequence, OnnxSegmenterConfig model,
+                    const po::variables_map& values) {
   const bool has_model = values.count("model") > 0;
   if (has_model != (values.count("classes") > 0)) {
     throw refuse(has_model ? "--model" : "--classes", "stands alone",
                  "a model and its class names go together");
   }
   if (!has_model) return MaskSource(sequence);
-  return MaskSource(values["model"].as<std::string>(), values["classes"].as<std::string>());
+  model.model_path = values["model"].as<std::string>();
+  model.class_names = readClassNames(values["classes"].as<std::string>());
+  return MaskSource(model);
 }
 
 /// A frame whose objects cannot be found still maps.
@@ -234,8 +239,8 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const std::optional<double> known_until_s = goOn(pipeline, values);
   const auto session_folder = given<std::string>(values, "save-session");
   if (session_folder) checkSessionPlace(*session_folder);
+  MaskSource source = masksFor(sequence, config.segmenter, values);
   const OutputFolder folder(values["output"].as<std::string>());
-  MaskSource source = masksFor(sequence, values);
   catchInterrupts();
   const RunOutcome outcome =
       processAll(sequence, source, pipeline,

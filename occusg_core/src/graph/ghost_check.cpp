@@ -10,40 +10,47 @@
 namespace occusg {
 namespace {
 
-constexpr int kMostSteps = 16;          // a side: 4096 points
-constexpr double kMostOccupied = 0.02;  // single voxels are noise
+constexpr std::array<int, 3> kMostSteps{10, 10, 40};  // 4000 points
+constexpr double kMostOccupied = 0.02;                // single voxels are noise
+constexpr double kMostOccupiedOfLayer = 0.1;          // a table is one layer of many
 constexpr double kMostUnknown = 0.2;
 
 }  // namespace
 
 bool isSeenThrough(const octomap::OcTree& map, const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return false;
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(map.getResolution());
-  const Eigen::AlignedBox3d inside(Eigen::Vector3d(box.min() + margin),
-                                   Eigen::Vector3d(box.max() - margin));
+  // Walls and the floor are not the object; but its top may be all there is of it, as of a table.
+  const double margin_m = map.getResolution();
+  const Eigen::AlignedBox3d inside(
+      Eigen::Vector3d(box.min() + Eigen::Vector3d::Constant(margin_m)),
+      Eigen::Vector3d(box.max() - Eigen::Vector3d(margin_m, margin_m, 0.0)));
   if (inside.isEmpty()) return false;
   const Eigen::Vector3d size = inside.sizes();
   std::array<int, 3> steps{};
-  int points = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const double wanted = std::ceil(size[axis] / map.getResolution());
-    steps[static_cast<std::size_t>(axis)] =
-        static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(kMostSteps)));
-    points *= steps[static_cast<std::size_t>(axis)];
+    const auto index = static_cast<std::size_t>(axis);
+    steps[index] = static_cast<int>(std::clamp(std::ceil(size[axis] / map.getResolution()), 1.0,
+                                               static_cast<double>(kMostSteps[index])));
   }
+  const int points_of_layer = steps[0] * steps[1];
+  const int points = points_of_layer * steps[2];
   int unknown = 0;
   int occupied = 0;
-  for (int i = 0; i < points; ++i) {
-    const std::array<int, 3> step{i % steps[0], i / steps[0] % steps[1], i / steps[0] / steps[1]};
-    const Eigen::Vector3d share((step[0] + 0.5) / steps[0], (step[1] + 0.5) / steps[1],
-                                (step[2] + 0.5) / steps[2]);
-    const Eigen::Vector3d at = inside.min() + size.cwiseProduct(share);
-    const octomap::OcTreeNode* const voxel = map.search(at.x(), at.y(), at.z());
-    if (voxel == nullptr) {
-      ++unknown;
-    } else if (map.isNodeOccupied(voxel)) {
-      ++occupied;
+  for (int layer = 0; layer < steps[2]; ++layer) {
+    const int occupied_below = occupied;
+    for (int i = 0; i < points_of_layer; ++i) {
+      // The last layer is the very top of the box.
+      const Eigen::Vector3d share((i % steps[0] + 0.5) / steps[0], (i / steps[0] + 0.5) / steps[1],
+                                  (layer + 1.0) / steps[2]);
+      const Eigen::Vector3d at = inside.min() + size.cwiseProduct(share);
+      const octomap::OcTreeNode* const voxel = map.search(at.x(), at.y(), at.z());
+      if (voxel == nullptr) {
+        ++unknown;
+      } else if (map.isNodeOccupied(voxel)) {
+        ++occupied;
+      }
     }
+    if (occupied - occupied_below > kMostOccupiedOfLayer * points_of_layer) return false;
     if (occupied > kMostOccupied * points || unknown > kMostUnknown * points) return false;
   }
   return true;

@@ -18,8 +18,15 @@ namespace {
 // Boxes of surfaces seen from one side are flat: without a margin flat boxes have nothing in
 // common.
 constexpr double kBoxMargin_m = 0.05;
-// Objects of different classes so alike in place and size are one object the detector is unsure of.
+// Objects of different classes so alike in place and size are one object the detector is unsure of,
+// and detections of one frame are one thing found twice.
 constexpr double kSameThing = 0.5;
+// Neighbours are two things in every frame that shows both; a thing is two now and then, by mistake
+// of the detector. Of the frames that show the one seen more often, at least so many:
+constexpr double kShareApart = 0.1;
+// Share of the smaller outline within the larger one, and gap in height, of pieces of an object.
+constexpr double kWithinOutline = 0.8;
+constexpr double kPieceGap_m = 0.5;
 constexpr std::size_t kGhostChecksPerCall = 32;
 // A kilometre-sized box is no object and would be listed everywhere.
 constexpr double kLargestObject_m = 50.0;
@@ -35,8 +42,9 @@ bool isUsable(const Detection& detection) {
          detection.score <= 1.0;
 }
 
-/// Indices of the usable detections, the best if there are too many, in their order.
-std::vector<std::size_t> usable(const std::vector<Detection>& detections, ObjectCounts& counts) {
+/// The usable detections, the best if there are too many, in their order.
+std::vector<const Detection*> usable(const std::vector<Detection>& detections,
+                                     ObjectCounts& counts) {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < detections.size(); ++i) {
     if (isUsable(detections[i])) {
@@ -54,7 +62,10 @@ std::vector<std::size_t> usable(const std::vector<Detection>& detections, Object
     std::sort(indices.begin(), indices.end());
   }
   counts.detections += indices.size();
-  return indices;
+  std::vector<const Detection*> result;
+  result.reserve(indices.size());
+  for (const std::size_t index : indices) result.push_back(&detections[index]);
+  return result;
 }
 
 Bounds2 groundBounds(const Eigen::AlignedBox3d& box) {
@@ -81,6 +92,28 @@ Common commonOf(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
           common_m3 / (one.volume() + other.volume() - common_m3)};
 }
 
+bool isSameTwice(const Detection& a, const Detection& b) {
+  return commonOf(a.box, b.box).of_union >= kSameThing;
+}
+
+bool isSameClass(const Detection& a, const Detection& b) {
+  const std::string key = classKey(a.class_name);
+  return !key.empty() && classKey(b.class_name) == key;
+}
+
+Eigen::AlignedBox2d groundBox(const Eigen::AlignedBox3d& box) {
+  return {Eigen::Vector2d(box.min().head<2>()), Eigen::Vector2d(box.max().head<2>())};
+}
+
+/// Share of the smaller box's outline on the ground that lies within the other's.
+double commonOutline(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+  const Eigen::AlignedBox2d one = groundBox(padded(a));
+  const Eigen::AlignedBox2d other = groundBox(padded(b));
+  const Eigen::AlignedBox2d both = one.intersection(other);
+  if (both.isEmpty()) return 0.0;
+  return both.volume() / std::min(one.volume(), other.volume());
+}
+
 /// The class with the greatest sum; of equals the first by name.
 std::string mostSeen(const std::map<std::string, double>& histogram) {
   const auto best =
@@ -103,17 +136,40 @@ void ObjectLayer::restore(const SceneGraph& graph) {
 
 void ObjectLayer::observe(SceneGraph& graph, const std::vector<Detection>& detections,
                           double stamp_s) {
-  for (const std::size_t index : usable(detections, counts_)) {
-    const Detection& detection = detections[index];
-    const std::optional<NodeId> known = config_.memory == ObjectMemory::kFirstSight
-                                            ? matchAtFirstSight(graph, detection)
-                                            : matchByBox(graph, detection);
-    if (known) {
-      absorb(graph, *known, detection, stamp_s);
+  const Frame frame = usable(detections, counts_);
+  if (config_.memory == ObjectMemory::kFirstSight) {
+    observeAtFirstSight(graph, frame, stamp_s);
+  } else {
+    observeRunning(graph, frame, stamp_s);
+  }
+}
+
+void ObjectLayer::observeAtFirstSight(SceneGraph& graph, const Frame& frame, double stamp_s) {
+  for (const Detection* const detection : frame) {
+    if (const std::optional<NodeId> known = matchAtFirstSight(graph, *detection)) {
+      absorb(graph, *known, *detection, stamp_s);
     } else {
-      add(graph, detection, stamp_s);
+      add(graph, *detection, stamp_s);
     }
   }
+}
+
+void ObjectLayer::observeRunning(SceneGraph& graph, const Frame& frame, double stamp_s) {
+  Objects object_of = matchByBox(graph, frame);
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    for (std::size_t j = 0; !object_of[i] && j < i; ++j) {
+      if (isSameClass(*frame[i], *frame[j]) && isSameTwice(*frame[i], *frame[j]))
+        object_of[i] = object_of[j];
+    }
+    if (object_of[i]) {
+      absorb(graph, *object_of[i], *frame[i], stamp_s);
+    } else {
+      object_of[i] = add(graph, *frame[i], stamp_s);
+    }
+  }
+  noteApart(graph, frame, object_of);
+  for (const std::optional<NodeId>& object : object_of)
+    if (graph.find(*object) != nullptr) mergeDuplicates(graph, *object);
 }
 
 std::optional<NodeId> ObjectLayer::matchAtFirstSight(const SceneGraph& graph,
@@ -137,28 +193,35 @@ std::optional<NodeId> ObjectLayer::matchAtFirstSight(const SceneGraph& graph,
   return std::nullopt;
 }
 
-std::optional<NodeId> ObjectLayer::matchByBox(const SceneGraph& graph,
-                                              const Detection& detection) const {
-  const std::string key = classKey(detection.class_name);
-  // Another class comes last, then the greater overlap, then the older object.
-  std::optional<std::tuple<bool, double, NodeId>> best;
-  for (const NodeId id : boxes_.touching(groundBounds(padded(detection.box)))) {
-    const Node* const node = graph.find(id);
-    if (node == nullptr) continue;
-    const Common common = commonOf(objectIn(*node).box, detection.box);
-    const bool is_same_class = !key.empty() && classKey(objectIn(*node).class_name) == key;
-    const bool matches =
-        is_same_class ? common.of_smaller >= config_.min_common_box : common.of_union >= kSameThing;
-    if (!matches) continue;
-    const std::tuple<bool, double, NodeId> candidate{
-        !is_same_class, -(is_same_class ? common.of_smaller : common.of_union), id};
-    if (!best || candidate < *best) best = candidate;
+// The best pairs of the whole frame come first: same class, then the greater overlap.
+ObjectLayer::Objects ObjectLayer::matchByBox(const SceneGraph& graph, const Frame& frame) const {
+  std::vector<std::tuple<bool, double, std::size_t, NodeId>> pairs;
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const std::string key = classKey(frame[i]->class_name);
+    for (const NodeId id : boxes_.touching(groundBounds(padded(frame[i]->box)))) {
+      const Node* const node = graph.find(id);
+      if (node == nullptr) continue;
+      const Common common = commonOf(objectIn(*node).box, frame[i]->box);
+      const bool is_same_class = !key.empty() && classKey(objectIn(*node).class_name) == key;
+      if (is_same_class && common.of_smaller >= config_.min_common_box)
+        pairs.emplace_back(false, -common.of_smaller, i, id);
+      if (!is_same_class && common.of_union >= kSameThing)
+        pairs.emplace_back(true, -common.of_union, i, id);
+    }
   }
-  if (!best) return std::nullopt;
-  return std::get<2>(*best);
+  std::sort(pairs.begin(), pairs.end());
+
+  Objects object_of(frame.size());
+  std::map<NodeId, std::size_t> taken_by;
+  for (const auto& [is_other_class, overlap, i, id] : pairs) {
+    if (object_of[i]) continue;
+    const auto [taken, is_first] = taken_by.emplace(id, i);
+    if (is_first || isSameTwice(*frame[taken->second], *frame[i])) object_of[i] = id;
+  }
+  return object_of;
 }
 
-void ObjectLayer::add(SceneGraph& graph, const Detection& detection, double stamp_s) {
+NodeId ObjectLayer::add(SceneGraph& graph, const Detection& detection, double stamp_s) {
   ObjectAttributes object;
   object.class_name = detection.class_name;
   object.score = detection.score;
@@ -167,6 +230,7 @@ void ObjectLayer::add(SceneGraph& graph, const Detection& detection, double stam
   if (!detection.class_name.empty()) object.class_histogram[detection.class_name] = detection.score;
   const NodeId id = graph.add(detection.centroid, stamp_s, std::move(object)).id;
   boxes_.insert(id, groundBounds(detection.box));
+  return id;
 }
 
 void ObjectLayer::absorb(SceneGraph& graph, NodeId id, const Detection& detection, double stamp_s) {
@@ -190,45 +254,75 @@ void ObjectLayer::absorb(SceneGraph& graph, NodeId id, const Detection& detectio
   }
   free_checks_.erase(id);
   graph.update(std::move(node));
-  mergeDuplicates(graph, id);
 }
 
-// A large object is first seen in pieces; once its box has grown over them they are one.
-void ObjectLayer::mergeDuplicates(SceneGraph& graph, NodeId id) {
-  const ObjectAttributes grown = objectIn(graph.at(id));
-  const std::string key = classKey(grown.class_name);
-  for (const NodeId other : boxes_.touching(groundBounds(grown.box))) {
-    if (other == id || key.empty()) continue;
-    const Node* const duplicate = graph.find(other);
-    if (duplicate == nullptr || classKey(objectIn(*duplicate).class_name) != key) continue;
-    if (commonOf(objectIn(*duplicate).box, grown.box).of_smaller < kSameThing) continue;
-    Node kept = graph.at(std::min(id, other));
-    const Node gone = graph.at(std::max(id, other));
-    auto& object = std::get<ObjectAttributes>(kept.attributes);
-    const double weight = object.observations;
-    const double gone_weight = objectIn(gone).observations;
-    const double sum = weight + gone_weight;
-    kept.position = (weight * kept.position + gone_weight * gone.position) / sum;
-    kept.created_s = std::min(kept.created_s, gone.created_s);
-    kept.last_seen_s = std::max(kept.last_seen_s, gone.last_seen_s);
-    object.score = (weight * object.score + gone_weight * objectIn(gone).score) / sum;
-    object.observations += objectIn(gone).observations;
-    for (const auto& [name, score] : objectIn(gone).class_histogram)
-      object.class_histogram[name] += score;
-    boxes_.erase(kept.id, groundBounds(object.box));
-    object.box.extend(objectIn(gone).box);
-    boxes_.insert(kept.id, groundBounds(object.box));
-    const NodeId kept_id = kept.id;
-    remove(graph, gone.id);
-    graph.update(std::move(kept));
-    ++counts_.merged;
-    if (kept_id != id) return mergeDuplicates(graph, kept_id);
+void ObjectLayer::noteApart(const SceneGraph& graph, const Frame& frame, const Objects& object_of) {
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const Eigen::AlignedBox3d box = padded(objectIn(graph.at(*object_of[i])).box);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (object_of[i] == object_of[j] || !isSameClass(*frame[i], *frame[j])) continue;
+      const bool are_beside =
+          groundBox(box).intersects(groundBox(objectIn(graph.at(*object_of[j])).box));
+      if (are_beside && !isSameTwice(*frame[i], *frame[j]))
+        apart_.add(*object_of[i], *object_of[j]);
+    }
   }
+}
+
+// A large object is first seen in pieces: its box has grown over them, or they stand below or above
+// it within its outline, as the legs of a table whose top was seen at another time. Two things that
+// are seen as two in the same frames are none.
+bool ObjectLayer::areOne(const Node& object, const Node& other) const {
+  const std::string key = classKey(objectIn(object).class_name);
+  if (key.empty() || classKey(objectIn(other).class_name) != key) return false;
+  const int looks = std::max(objectIn(object).observations, objectIn(other).observations);
+  if (apart_.count(object.id, other.id) > kShareApart * looks) return false;
+  const Eigen::AlignedBox3d& a = objectIn(object).box;
+  const Eigen::AlignedBox3d& b = objectIn(other).box;
+  if (commonOf(a, b).of_smaller >= kSameThing) return true;
+  const double gap_m = std::max(a.min().z(), b.min().z()) - std::min(a.max().z(), b.max().z());
+  return gap_m <= kPieceGap_m && commonOutline(a, b) >= kWithinOutline;
+}
+
+void ObjectLayer::mergeDuplicates(SceneGraph& graph, NodeId id) {
+  const Node grown = graph.at(id);
+  for (const NodeId other : boxes_.touching(groundBounds(objectIn(grown).box))) {
+    const Node* const duplicate = other == id ? nullptr : graph.find(other);
+    if (duplicate == nullptr || !areOne(grown, *duplicate)) continue;
+    const NodeId kept = merge(graph, id, other);
+    if (kept != id) return mergeDuplicates(graph, kept);
+  }
+}
+
+NodeId ObjectLayer::merge(SceneGraph& graph, NodeId id, NodeId other) {
+  Node kept = graph.at(std::min(id, other));
+  const Node gone = graph.at(std::max(id, other));
+  const NodeId kept_id = kept.id;
+  auto& object = std::get<ObjectAttributes>(kept.attributes);
+  const double weight = object.observations;
+  const double gone_weight = objectIn(gone).observations;
+  const double sum = weight + gone_weight;
+  kept.position = (weight * kept.position + gone_weight * gone.position) / sum;
+  kept.created_s = std::min(kept.created_s, gone.created_s);
+  kept.last_seen_s = std::max(kept.last_seen_s, gone.last_seen_s);
+  object.score = (weight * object.score + gone_weight * objectIn(gone).score) / sum;
+  object.observations += objectIn(gone).observations;
+  for (const auto& [name, score] : objectIn(gone).class_histogram)
+    object.class_histogram[name] += score;
+  boxes_.erase(kept_id, groundBounds(object.box));
+  object.box.extend(objectIn(gone).box);
+  boxes_.insert(kept_id, groundBounds(object.box));
+  apart_.merge(kept_id, gone.id);
+  remove(graph, gone.id);
+  graph.update(std::move(kept));
+  ++counts_.merged;
+  return kept_id;
 }
 
 void ObjectLayer::remove(SceneGraph& graph, NodeId id) {
   boxes_.erase(id, groundBounds(objectIn(graph.at(id)).box));
   free_checks_.erase(id);
+  apart_.erase(id);
   graph.remove(id);
 }
 

@@ -21,6 +21,8 @@ namespace {
 constexpr double kMinDepth_m = 0.001;
 /// Farther from the camera nothing is believed, whatever a focal length near zero makes of it.
 constexpr double kMaxRange_m = 1e4;
+/// However far away, things farther apart are two.
+constexpr double kWidestGap_m = 0.5;
 /// Colour and depth sensors of one device differ by a per cent (1280 x 720, 848 x 480).
 constexpr double kMaxAspectDifference = 0.02;
 
@@ -33,13 +35,19 @@ void check(const DetectionBuilderConfig& config) {
     throw refuse("cluster_eps_m", "is " + std::to_string(config.cluster_eps_m) + " m",
                  "it must be in [0.005, 10]");
   }
-  if (config.min_cluster_points < 1)
-    throw refuse("min_cluster_points", "is 0", "it must be at least 1");
+  if (!(config.cluster_gap_pixels >= 0.0 && config.cluster_gap_pixels <= 100.0)) {
+    throw refuse("cluster_gap_pixels", "is " + std::to_string(config.cluster_gap_pixels),
+                 "it must be in [0, 100]");
+  }
+  const auto atLeastOne = [](const char* field, int value) {
+    if (value < 1) throw refuse(field, "is " + std::to_string(value), "it must be at least 1");
+  };
+  atLeastOne("min_cluster_points", config.min_cluster_points);
+  atLeastOne("max_masks", config.max_masks);
   if (!(config.max_depth_m > kMinDepth_m && config.max_depth_m <= kMaxRange_m)) {
     throw refuse("max_depth_m", "is " + std::to_string(config.max_depth_m) + " m",
                  "it must be in (0.001, 10000]");
   }
-  if (config.max_masks < 1) throw refuse("max_masks", "is 0", "it must be at least 1");
 }
 
 void check(const DepthFrame& frame) {
@@ -64,11 +72,7 @@ void check(const DepthFrame& frame) {
 }
 
 void checkSameView(const cv::Size& image, const cv::Size& depth) {
-  const double ratio = (static_cast<double>(image.width) * depth.height) /
-                       (static_cast<double>(image.height) * depth.width);
-  const bool is_sane = image.width > 0 && image.height > 0 && image.width <= kMaxImageSide &&
-                       image.height <= kMaxImageSide;
-  if (is_sane && std::abs(ratio - 1.0) <= kMaxAspectDifference) return;
+  if (isSameView(image, depth)) return;
   throw refuse("instance masks", "their image is " + sizeText(image) + " pixels",
                "it must have the aspect ratio of the depth image, " + sizeText(depth) +
                    ", and be registered to it");
@@ -206,6 +210,20 @@ class MaskPoints {
   std::vector<int> image_row_;
 };
 
+/// How far apart points of one object may be, at the depth its mask is seen at.
+double clusterDistance(const std::vector<Eigen::Vector3d>& points, const CameraModel& camera,
+                       const DetectionBuilderConfig& config) {
+  if (points.empty()) return config.cluster_eps_m;
+  std::vector<double> depths_m(points.size());
+  std::transform(points.begin(), points.end(), depths_m.begin(),
+                 [](const Eigen::Vector3d& point) { return point.z(); });
+  const auto median = depths_m.begin() + static_cast<std::ptrdiff_t>(depths_m.size() / 2);
+  std::nth_element(depths_m.begin(), median, depths_m.end());
+  const double pixel_m = *median / std::min(camera.fx, camera.fy);
+  return std::max(config.cluster_eps_m,
+                  std::min(kWidestGap_m, config.cluster_gap_pixels * pixel_m));
+}
+
 Detection detectionOf(const InstanceMask& mask, const std::vector<Eigen::Vector3d>& points,
                       const std::vector<std::size_t>& cluster, const DepthFrame& frame) {
   Detection detection;
@@ -227,6 +245,15 @@ Detection detectionOf(const InstanceMask& mask, const std::vector<Eigen::Vector3
 
 }  // namespace
 
+bool isSameView(const cv::Size& image, const cv::Size& depth) {
+  const bool is_sane = image.width > 0 && image.height > 0 && image.width <= kMaxImageSide &&
+                       image.height <= kMaxImageSide;
+  if (!is_sane) return false;
+  const double ratio = (static_cast<double>(image.width) * depth.height) /
+                       (static_cast<double>(image.height) * depth.width);
+  return std::abs(ratio - 1.0) <= kMaxAspectDifference;
+}
+
 DetectionBuilder::DetectionBuilder(const DetectionBuilderConfig& config) : config_(config) {
   check(config_);
 }
@@ -240,7 +267,7 @@ DetectionResult DetectionBuilder::build(const InstanceMasks& masks, const DepthF
   std::vector<std::size_t> accepted;
   for (std::size_t i = 0; i < masks.masks.size(); ++i)
     if (accept(masks.masks[i], i, masks.image_size, result.refused)) accepted.push_back(i);
-  keepBest(config_.max_masks, masks.masks, accepted, result.refused);
+  keepBest(static_cast<std::size_t>(config_.max_masks), masks.masks, accepted, result.refused);
 
   const MaskPoints mask_points(frame, masks.image_size, config_.max_depth_m);
   for (const std::size_t index : accepted) {
@@ -252,8 +279,9 @@ DetectionResult DetectionBuilder::build(const InstanceMasks& masks, const DepthF
       continue;
     }
     const std::vector<Eigen::Vector3d> points = mask_points.under(mask);
-    const std::vector<std::size_t> cluster = largestCluster(points, config_.cluster_eps_m);
-    if (cluster.size() < config_.min_cluster_points) {
+    const std::vector<std::size_t> cluster =
+        largestCluster(points, clusterDistance(points, frame.camera, config_));
+    if (cluster.size() < static_cast<std::size_t>(config_.min_cluster_points)) {
       result.refused.add(MaskRefusal::kTooFewPoints, [&] {
         return nameOf(index, mask) + ": its largest cluster has " + std::to_string(cluster.size()) +
                " of " + std::to_string(points.size()) + " points; a detection needs " +

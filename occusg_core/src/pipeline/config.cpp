@@ -36,8 +36,34 @@ void addDetection(Parameters& list, DetectionBuilderConfig& detection) {
                       {"perception.objects.cluster_eps_m", "m",
                        "Points of an object nearer than this belong together.", "0.05"}));
   list.push_back(numberParameter(
+      detection.cluster_gap_pixels, {0.0, 100.0},
+      {"perception.objects.cluster_gap_pixels", "pixels",
+       "So do those nearer than this many pixels at their depth, up to 0.5 m.", "0"}));
+  list.push_back(countParameter(
+      detection.min_cluster_points, {1, 1000000},
+      {"perception.objects.min_points", "pixels",
+       "An object seen with fewer depth pixels near each other is not taken.", "50"}));
+  list.push_back(numberParameter(
       detection.max_depth_m, {0.01, kLongest_m},
       {"perception.objects.max_depth_m", "m", "Farther pixels of an object are not used.", "10"}));
+  list.push_back(
+      countParameter(detection.max_masks, {1, static_cast<int>(kMaxMasks)},
+                     {"perception.objects.max_masks", "masks",
+                      "Of more objects in one image those of the best score are taken."}));
+}
+
+void addSegmenter(Parameters& list, OnnxSegmenterConfig& segmenter) {
+  list.push_back(
+      numberParameter(segmenter.min_confidence, {0.001, 1.0},
+                      {"perception.model.min_confidence", "",
+                       "Objects the segmentation model gives a lower score are left out.", "0.7"}));
+  list.push_back(numberParameter(
+      segmenter.max_iou, {0.0, 1.0},
+      {"perception.model.max_iou", "",
+       "Of two boxes of a class that overlap by more (IoU) the better stays.", "0.45"}));
+  list.push_back(countParameter(segmenter.input_side, {32, 4096},
+                                {"perception.model.input_side", "pixels",
+                                 "Side of the image given to a model that takes any size."}));
 }
 
 void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerConfig& layer) {
@@ -329,6 +355,7 @@ std::vector<Parameter> parametersOf(PipelineConfig& config) {
   Parameters list;
   addPerception(list, config.depth);
   addDetection(list, config.detection);
+  addSegmenter(list, config.segmenter);
   addMapping(list, config.occupancy, config.free_space);
   addDecomposition(list, config);
   addDude(list, config.dude);

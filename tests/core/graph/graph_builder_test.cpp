@@ -221,6 +221,20 @@ TEST(GraphBuilder, PosesBetweenUpdatesBecomeAgents) {
             (std::vector<NodeId>{0, 1, 2}));
 }
 
+TEST(GraphBuilder, AnAgentOutsideEveryRegionIsANodeInNoRoom) {
+  GraphBuilder builder{GraphBuilderConfig{}};
+  const auto regions = tracked({squareAt(1, 0.0)});
+  builder.update(regions, poseAt(2.0, 2.0), 0.0);
+  builder.update(regions, poseAt(500.0, -500.0), 1.0);
+  const SceneGraph& graph = builder.finish(2.0);
+  ASSERT_EQ(graph.nodes(NodeType::kAgent).size(), 2U);
+  EXPECT_TRUE(graph.roomOf(0));
+  EXPECT_FALSE(graph.roomOf(1));
+  EXPECT_EQ(graph.edges(EdgeType::kTemporal).size(), 1U);
+  EXPECT_EQ(roomsOf(graph).size(), 1U);
+  EXPECT_FALSE(builder.currentRoom());
+}
+
 TEST(GraphBuilder, AnUpdateBackInTimeIsRefusedAndCounted) {
   GraphBuilder builder{GraphBuilderConfig{}};
   builder.update(tracked({squareAt(1, 0.0)}), poseAt(2.0, 2.0), 10.0);

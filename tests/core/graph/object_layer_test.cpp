@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "occusg/graph/free_space_links.hpp"
+#include "occusg/graph/ghost_check.hpp"
 
 namespace occusg {
 namespace {
@@ -116,6 +117,79 @@ TEST(ObjectLayer, AnObjectFirstSeenInPiecesBecomesOne) {
   EXPECT_EQ(layer.counts().merged, 1U);
 }
 
+TEST(ObjectLayer, NeighboursSeenInOneFrameStayTwoThoughTheirBoxesOverlap) {
+  // As two desks that stand askew: their boxes along the axes have half in common.
+  const Detection left = seen("desk", 0.0, 1.0);
+  const Detection right = seen("desk", 0.5, 1.0);
+  EXPECT_EQ(objectsAfter({}, {left, right}), 1U) << "without a frame that shows both";
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  for (int frame = 0; frame < 5; ++frame) layer.observe(graph, {left, right}, frame);
+  layer.observe(graph, {right}, 5.0);
+  layer.observe(graph, {left}, 6.0);
+  ASSERT_EQ(graph.nodes(NodeType::kObject).size(), 2U);
+  for (const auto& [id, node] : graph.nodes(NodeType::kObject)) {
+    EXPECT_EQ(std::get<ObjectAttributes>(node.attributes).observations, 6);
+    EXPECT_NEAR(std::get<ObjectAttributes>(node.attributes).box.sizes().x(), 1.0, 1e-12);
+  }
+}
+
+TEST(ObjectLayer, ADetectorsSingleMistakeDoesNotPartAnObject) {
+  const Detection left = seen("desk", 0.0, 1.0);
+  const Detection right = seen("desk", 0.5, 1.0);
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  layer.observe(graph, {left, right}, 0.0);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 2U);
+  for (int frame = 1; frame < 12; ++frame) layer.observe(graph, {left}, frame);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+}
+
+/// What was seen of a table: a box of this outline from one height to another.
+Detection piece(double x0, double x1, double z0, double z1) {
+  Detection detection = seen("table", 0.0);
+  detection.box = {Eigen::Vector3d(x0, 0.0, z0), Eigen::Vector3d(x1, 0.6, z1)};
+  detection.centroid = detection.box.center();
+  return detection;
+}
+
+TEST(ObjectLayer, ATablesLegsAndTopAreOneObject) {
+  const Detection top = piece(0.0, 1.6, 0.75, 0.79);
+  const Detection leg = piece(0.05, 0.15, 0.0, 0.7);
+  EXPECT_EQ(objectsAfter({}, {top, leg}), 1U);
+  EXPECT_EQ(objectsAfter({}, {leg, top}), 1U);
+  EXPECT_EQ(objectsAfter({}, {top, piece(1.7, 1.8, 0.0, 0.7)}), 2U) << "beside its outline";
+  EXPECT_EQ(objectsAfter({}, {top, piece(0.0, 1.6, 2.0, 2.2)}), 2U) << "far above it";
+  EXPECT_EQ(objectsAfter(paper(), {top, leg}), 2U) << "the paper's objects are frozen";
+}
+
+TEST(ObjectLayer, StackedThingsSeenInOneFrameStayTwo) {
+  const Detection lower = piece(0.0, 0.6, 0.0, 0.3);
+  const Detection upper = piece(0.0, 0.6, 0.3, 0.6);
+  SceneGraph graph;
+  ObjectLayer layer{ObjectLayerConfig{}};
+  for (int frame = 0; frame < 3; ++frame) layer.observe(graph, {lower, upper}, frame);
+  EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 2U);
+}
+
+TEST(SeenApart, FollowsObjectsThatMergeAndGo) {
+  SeenApart apart;
+  apart.add(1, 2);
+  apart.add(2, 1);
+  apart.add(2, 3);
+  EXPECT_EQ(apart.count(1, 2), 2);
+  EXPECT_EQ(apart.count(3, 2), 1);
+  EXPECT_EQ(apart.count(1, 3), 0);
+  apart.merge(1, 3);
+  EXPECT_EQ(apart.count(2, 1), 3);
+  EXPECT_EQ(apart.count(2, 3), 0);
+  apart.merge(1, 2);
+  EXPECT_EQ(apart.count(1, 2), 0) << "nothing is apart from itself";
+  apart.add(1, 4);
+  apart.erase(4);
+  EXPECT_EQ(apart.count(1, 4), 0);
+}
+
 TEST(ObjectLayer, RefusesAndCountsWhatIsNoDetection) {
   SceneGraph graph;
   ObjectLayer layer{ObjectLayerConfig{}};
@@ -181,6 +255,20 @@ TEST(ObjectLayer, AnObjectSeenThroughThreeTimesInARowIsAGhost) {
   keeper.observe(graph, {chair}, 1.0);
   for (int i = 0; i < 5; ++i) keeper.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
   EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+}
+
+TEST(GhostCheck, ATableIsNotSeenThroughThoughTheSpaceBelowItsTopIsFree) {
+  for (const double top_m : {0.79, 0.801, 1.02, 1.6}) {
+    SCOPED_TRACE(top_m);
+    octomap::OcTree map = cubeOf(false);
+    const Eigen::AlignedBox3d table(Eigen::Vector3d(0.2, 0.2, 0.0),
+                                    Eigen::Vector3d(1.8, 1.0, top_m));
+    EXPECT_TRUE(isSeenThrough(map, table));
+    for (double y = 0.225; y < 1.0; y += 0.05)
+      for (double x = 0.225; x < 1.8; x += 0.05)
+        map.setNodeValue(x, y, top_m - 0.005, map.getClampingThresMaxLog());
+    EXPECT_FALSE(isSeenThrough(map, table));
+  }
 }
 
 TEST(FreeSpaceLinks, AnObjectIsLinkedToTheNearestNodeWithinReach) {

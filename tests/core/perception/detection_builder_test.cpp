@@ -150,14 +150,46 @@ TEST(DetectionBuilder, OfEquallyLargeClustersTheFirstInTheImageIsTaken) {
   EXPECT_NEAR(result.detections[0].centroid.x(), 3.0, 1e-6);
 }
 
+/// Points of a mask whose left part, 80 of 200 pixels, is nearer than the right one by a step.
+std::size_t pointsAcross(float depth_m, float step_m, const DetectionBuilderConfig& config = {}) {
+  cv::Mat_<float> depth(kSize, depth_m);
+  depth.colRange(18, 40) = depth_m + step_m;
+  return build(masksOf({chair({10, 5, 20, 10})}), frameOf(depth), config)
+      .detections.at(0)
+      .point_count;
+}
+
 TEST(DetectionBuilder, StepUpToTheClusterDistanceJoinsAndBeyondItParts) {
-  const auto pointsAcross = [](float step_m) {
-    cv::Mat_<float> depth(kSize, 2.0F);
-    depth.colRange(18, 40) = 2.0F + step_m;
-    return build(masksOf({chair({10, 5, 20, 10})}), frameOf(depth)).detections.at(0).point_count;
-  };
-  EXPECT_EQ(pointsAcross(0.03F), 200U);
-  EXPECT_EQ(pointsAcross(0.055F), 120U);
+  DetectionBuilderConfig config;
+  config.cluster_gap_pixels = 0.0;
+  EXPECT_EQ(pointsAcross(2.0F, 0.03F, config), 200U);
+  EXPECT_EQ(pointsAcross(2.0F, 0.055F, config), 120U);
+  EXPECT_EQ(pointsAcross(4.0F, 0.08F, config), 120U);
+}
+
+TEST(DetectionBuilder, ClusterDistanceGrowsWithThePixelsAtTheMasksDepth) {
+  // Six pixels are 0.12 m at 4 m, and the cluster distance again at 1 m.
+  EXPECT_EQ(pointsAcross(4.0F, 0.08F), 200U);
+  EXPECT_EQ(pointsAcross(4.0F, 0.13F), 120U);
+  EXPECT_EQ(pointsAcross(1.0F, 0.055F), 120U);
+  DetectionBuilderConfig config;
+  config.cluster_gap_pixels = 8.0;
+  EXPECT_EQ(pointsAcross(4.0F, 0.13F, config), 200U);
+  config.cluster_gap_pixels = 100.0;
+  EXPECT_EQ(pointsAcross(4.0F, 0.6F, config), 120U) << "half a metre is the limit";
+}
+
+TEST(DetectionBuilder, TableTopSeenAtAnAngleIsOneDetection) {
+  // 0.2 m below the camera: the four rows are 3.6 to 2.9 m away, up to 0.3 m apart.
+  cv::Mat_<float> depth(kSize, 0.0F);
+  for (int row = 26; row < 30; ++row) depth.row(row) = 40.0F / (static_cast<float>(row) - 15.0F);
+  const InstanceMasks mask = masksOf({chair({0, 26, 40, 4})});
+  DetectionBuilderConfig config;
+  config.cluster_gap_pixels = 24.0;
+  ASSERT_EQ(build(mask, frameOf(depth), config).detections.size(), 1U);
+  EXPECT_EQ(build(mask, frameOf(depth), config).detections[0].point_count, 160U);
+  config.cluster_gap_pixels = 0.0;
+  EXPECT_TRUE(build(mask, frameOf(depth), config).detections.empty()) << "each row is a cluster";
 }
 
 TEST(DetectionBuilder, ClusterDistanceIsConfigurable) {
@@ -345,14 +377,18 @@ TEST(DetectionBuilder, FrameThatCannotBeUsedIsRefused) {
 }
 
 TEST(DetectionBuilder, RefusesSettingsOutOfRange) {
-  EXPECT_EQ(configRefusal({0.004, 50, 10.0, 300}),
+  EXPECT_EQ(configRefusal({0.004, 6.0, 50, 10.0, 300}),
             "cluster_eps_m: is 0.004000 m; it must be in [0.005, 10]");
-  EXPECT_NE(configRefusal({10.1, 50, 10.0, 300}), "");
-  EXPECT_NE(configRefusal({kNan, 50, 10.0, 300}), "");
-  EXPECT_EQ(configRefusal({0.05, 0, 10.0, 300}), "min_cluster_points: is 0; it must be at least 1");
-  EXPECT_NE(configRefusal({0.05, 50, 0.001, 300}), "");
-  EXPECT_NE(configRefusal({0.05, 50, kNan, 300}), "");
-  EXPECT_EQ(configRefusal({0.05, 50, 10.0, 0}), "max_masks: is 0; it must be at least 1");
+  EXPECT_NE(configRefusal({10.1, 6.0, 50, 10.0, 300}), "");
+  EXPECT_NE(configRefusal({kNan, 6.0, 50, 10.0, 300}), "");
+  EXPECT_EQ(configRefusal({0.05, -1.0, 50, 10.0, 300}),
+            "cluster_gap_pixels: is -1.000000; it must be in [0, 100]");
+  EXPECT_NE(configRefusal({0.05, kNan, 50, 10.0, 300}), "");
+  EXPECT_EQ(configRefusal({0.05, 6.0, 0, 10.0, 300}),
+            "min_cluster_points: is 0; it must be at least 1");
+  EXPECT_NE(configRefusal({0.05, 6.0, 50, 0.001, 300}), "");
+  EXPECT_NE(configRefusal({0.05, 6.0, 50, kNan, 300}), "");
+  EXPECT_EQ(configRefusal({0.05, 6.0, 50, 10.0, 0}), "max_masks: is 0; it must be at least 1");
 }
 
 }  // namespace

@@ -113,6 +113,11 @@ TEST(ConfigFile, PaperConfigurationHasThePublishedValues) {
   EXPECT_TRUE(paper.tracker.guard.reject_on_count_alone);
   EXPECT_EQ(paper.graph.maintenance_period_s, 2.0);
   EXPECT_EQ(paper.graph.rooms.promotion, PromotionEvidence::kAnyEntity);
+  EXPECT_EQ(paper.detection.cluster_eps_m, 0.05);
+  EXPECT_EQ(paper.detection.min_cluster_points, 50);
+  EXPECT_EQ(paper.segmenter.min_confidence, 0.7);
+  EXPECT_EQ(paper.segmenter.max_iou, 0.45);
+  EXPECT_EQ(paper.graph.objects.memory, ObjectMemory::kFirstSight);
 }
 
 TEST(Parameters, EveryKeyIsUniqueAndEveryDefaultIsAllowed) {

@@ -11,6 +11,8 @@
 #include "occusg/error.hpp"
 #include "occusg/geometry/polygon_overlap.hpp"
 #include "occusg/graph/graph_query.hpp"
+#include "occusg/io/scene_graph_file.hpp"
+#include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 
 namespace occusg {
@@ -71,6 +73,22 @@ TEST(Pipeline, Row26TwoRunsGiveIdenticalBytes) {
   const auto first = bytes();
   EXPECT_EQ(first.size(), 10U);
   EXPECT_EQ(first, bytes());
+}
+
+TEST(Pipeline, Row22EveryExportedRoomIsASimplePolygonWithAnArea) {
+  const Pipeline pipeline = driven();
+  const std::string json = toJson(pipeline.graph(), "two_rooms");
+  const SceneGraph exported = parseSceneGraph(json, "scene_graph.json").graph;
+  ASSERT_EQ(exported.nodes(NodeType::kRoom).size(), 2U);
+  for (const auto& [id, node] : exported.nodes(NodeType::kRoom)) {
+    const Polygon& polygon = exported.room(id).polygon;
+    EXPECT_TRUE(isSimple(polygon));
+    EXPECT_GT(signedArea(polygon.outer), 1.0) << "not counter-clockwise";
+  }
+  for (const RoomRecord& room : roomsOf(pipeline, "two_rooms").rooms) {
+    EXPECT_TRUE(isSimple(room.polygon));
+    EXPECT_GT(signedArea(room.polygon.outer), 1.0);
+  }
 }
 
 TEST(Pipeline, RegionsFollowLogicalTimeNotFrames) {
@@ -203,6 +221,22 @@ TEST(Pipeline, MasksThatCannotBeUsedAreCountedAndMasksOfAnotherShapeRefused) {
   EXPECT_EQ(pipeline.counts().frames, 1U) << "the state is as before the call";
   pipeline.process(frames[1]);
   EXPECT_TRUE(pipeline.graph().nodes(NodeType::kObject).empty());
+}
+
+/// Objects taken of a mask of 20 x 20 pixels in the middle of one view, with this configuration.
+std::size_t detectionsWith(const std::string& yaml, int copies = 1) {
+  Pipeline pipeline{configFromYaml(yaml, "mine.yaml", {})};
+  InstanceMasks masks = maskInTheMiddle("oven");
+  masks.masks.resize(static_cast<std::size_t>(copies), masks.masks.front());
+  pipeline.process(driveThroughTwoRooms()[8], masks);
+  return pipeline.counts().objects.detections;
+}
+
+TEST(Pipeline, ParametersOfDetectionsTakeEffect) {
+  EXPECT_EQ(detectionsWith("perception.objects.min_points: 400\n"), 1U);
+  EXPECT_EQ(detectionsWith("perception.objects.min_points: 401\n"), 0U);
+  EXPECT_EQ(detectionsWith("perception.objects.max_depth_m: 0.1\n"), 0U);
+  EXPECT_EQ(detectionsWith("perception.objects.max_masks: 3\n", 5), 3U);
 }
 
 TEST(Pipeline, APersonsLabelStays) {

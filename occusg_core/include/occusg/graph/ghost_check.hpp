@@ -10,9 +10,9 @@ class OcTree;
 namespace occusg {
 
 /// True when the map knows the inside of `box` and it is free: whatever was there is not there any
-/// more. The outer voxel layer does not count, for floor and walls reach into it. A box too thin to
-/// have an inside is never seen through; of a large box a lattice of at most 4096 points is looked
-/// at.
+/// more. The outer voxel layer below and around does not count, for floor and walls reach into it;
+/// that above does: a table is all top. A box too thin to have an inside is never seen through; of
+/// a large box a lattice of at most 4000 points is looked at.
 [[nodiscard]] bool isSeenThrough(const octomap::OcTree& map, const Eigen::AlignedBox3d& box);
 
 }  // namespace occusg

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/detection.hpp"
 #include "occusg/perception/instance_mask.hpp"
@@ -11,10 +9,19 @@ namespace occusg {
 
 struct DetectionBuilderConfig {
   double cluster_eps_m = 0.05;  ///< Points nearer than this belong together [m], [0.005, 10].
-  std::size_t min_cluster_points = 50;  ///< Fewest depth pixels of a detection, at least 1.
-  double max_depth_m = 10.0;          ///< Farther pixels are not used, along the optical axis [m].
-  std::size_t max_masks = kMaxMasks;  ///< Most masks of a frame; those of the best score, >= 1.
+  /// So do points nearer than this many pixels at the mask's depth, up to 0.5 m, [0, 100]. Far
+  /// surfaces are sampled more coarsely than `cluster_eps_m`: on one seen at an angle of a the
+  /// pixels are 1 / sin a apart, six at 10 degrees (the adaptive breakpoint of Borges and Aldon,
+  /// "Line extraction in 2D range images for mobile robotics", 2004).
+  double cluster_gap_pixels = 6.0;
+  int min_cluster_points = 50;  ///< Fewest depth pixels of a detection, at least 1.
+  double max_depth_m = 10.0;    ///< Farther pixels are not used, along the optical axis [m].
+  int max_masks = kMaxMasks;    ///< Most masks of a frame; those of the best score, >= 1.
 };
+
+/// Whether masks of an image of this size can belong to a depth image of that size: it has sides in
+/// [1, 16384] pixels and the aspect ratio of the depth image.
+[[nodiscard]] bool isSameView(const cv::Size& image, const cv::Size& depth);
 
 /// Instance masks and the depth image of the same view -> 3D detections (paper, Sec. 3.2): the
 /// depth pixels under a mask are back-projected, and the largest Euclidean cluster (Rusu 2009,

@@ -10,6 +10,7 @@
 #include "occusg/mapping/occupancy_map.hpp"
 #include "occusg/perception/depth_projector.hpp"
 #include "occusg/perception/detection_builder.hpp"
+#include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg/pipeline/parameter.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
 #include "occusg/regions/decomposer.hpp"
@@ -28,6 +29,7 @@ enum class DecomposerKind {
 struct PipelineConfig {
   DepthProjectorConfig depth;
   DetectionBuilderConfig detection;
+  OnnxSegmenterConfig segmenter;  ///< Of a model, when there is one; its files are no parameters.
   OccupancyMapConfig occupancy;
   FreeSpaceLayerConfig free_space;
   double region_period_s = 0.5;  ///< Regions are updated when so much logical time has passed [s].
