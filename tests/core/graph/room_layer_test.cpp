@@ -124,19 +124,19 @@ TEST(RoomLayer, Row14MaintenancePromotesTheRegionThatHoldsAnObjectAndNoOther) {
 
 TEST(RoomLayer, ByDefaultARegionSeenLongEnoughIsPromotedWithoutEntities) {
   Rooms rooms{GraphBuilderConfig{}};
-  const auto regions = tracked({squareAt(1, 0.0), squareAt(2, 10.0), squareAt(3, 20.0, 1.2)});
+  const auto regions = tracked({squareAt(1, 0.0), squareAt(2, 10.0), squareAt(3, 20.0, 0.9)});
   rooms.objectAt(20.5, 0.5);
   rooms.steps(4, regions, 2.0);
   EXPECT_EQ(rooms.ids().size(), 1U);
   rooms.step(regions, 2.0);
   EXPECT_NE(rooms.on(2), -1) << "4 s old at the maintenance of stamp 4";
   rooms.steps(10, regions, 2.0);
-  EXPECT_EQ(rooms.on(3), -1) << "1.44 m2 are too little";
+  EXPECT_EQ(rooms.on(3), -1) << "0.81 m2 are too little";
 }
 
 TEST(RoomLayer, FinishPromotesARegionThatIsStillYoung) {
   Rooms rooms{GraphBuilderConfig{}};
-  rooms.step(tracked({squareAt(1, 0.0), squareAt(2, 10.0), squareAt(3, 20.0, 1.2)}), 2.0);
+  rooms.step(tracked({squareAt(1, 0.0), squareAt(2, 10.0), squareAt(3, 20.0, 0.9)}), 2.0);
   rooms.finish();
   EXPECT_EQ(rooms.ids().size(), 2U);
   EXPECT_NE(rooms.on(2), -1);

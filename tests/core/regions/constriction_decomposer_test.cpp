@@ -48,8 +48,9 @@ FreeSpace roomsUnderALintel(int lintel_voxels) {
   return layer;
 }
 
-TEST(ConstrictionDecomposer, LintelSeparatesRoomsWhenAskedTo) {
+TEST(ConstrictionDecomposer, LintelSeparatesRoomsUnlessToldNotTo) {
   ConstrictionDecomposerConfig config;
+  config.highest_lintel_m = 0.0;
   EXPECT_EQ(regionCount(roomsUnderALintel(40), config), 1U);
   config.highest_lintel_m = 2.15;
   const Decomposition result = decompose(roomsUnderALintel(40), config);
