@@ -70,7 +70,7 @@ TEST(GridConversions, OriginBetweenCellsMovesTheMapByHalfACellAtMost) {
   EXPECT_EQ(toFreeSpace(grid, "map").cells.box().min, (Cell{3, -2}));
 }
 
-TEST(GridConversions, Row11RotatedOriginIsHonoured) {
+TEST(GridConversions, FailureMode11RotatedOriginIsHonoured) {
   nav_msgs::OccupancyGrid grid = smallGrid();
   grid.info.origin.position.x = 0.0;
   grid.info.origin.position.y = 0.0;
@@ -83,7 +83,7 @@ TEST(GridConversions, Row11RotatedOriginIsHonoured) {
   EXPECT_EQ(layer.cells.valueOr({-1, 0}, 1), occusg::kFree);
 }
 
-TEST(GridConversions, Row11MapsThatCannotBeUsedAreRefused) {
+TEST(GridConversions, FailureMode11MapsThatCannotBeUsedAreRefused) {
   EXPECT_EQ(refusalOf(smallGrid()), "accepted");
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const float resolution : {0.0F, -0.05F, nan, 1e9F}) {
