@@ -267,6 +267,7 @@ std::vector<occusg::DoorInfo> toDoorMsgs(const SceneGraph& graph) {
 
 std::vector<occusg::DoorInfo> toDoorMsgs(const std::vector<occusg::Crossing>& crossings) {
   std::vector<occusg::DoorInfo> msgs;
+  msgs.reserve(crossings.size());
   for (const occusg::Crossing& crossing : crossings)
     msgs.push_back(doorMsg(kNone, {crossing.region_a, crossing.region_b}, crossing.segment));
   return msgs;

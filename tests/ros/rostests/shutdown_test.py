@@ -53,6 +53,16 @@ class ShutdownTest(unittest.TestCase):
         with open(os.path.join(self.folder, "last", "rooms.json")) as rooms:
             self.assertGreaterEqual(rooms.read().count('"polygon"'), 1)
 
+    def test_failure_mode_15_nodelets_of_a_launch_file_save_on_sigint(self):
+        folder = tempfile.mkdtemp(prefix="occusg_launched_test_")
+        process = subprocess.Popen([
+            "roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map",
+            "save_folder:=" + folder, "autosave_period_s:=0", "mapping:=false"])
+        self.feed_map(Diagnostics("occusg/scene_graph: scene graph"), 1.0, 2.0)
+        self.end(process, signal.SIGINT)
+        self.assertIn('"polygon"', self.saved(folder, "rooms.json"))
+        self.assertIn("occusg-session", self.saved(folder, "session/session.json"))
+
     def feed_images(self, diagnostics):
         """Turns on the spot, with camera_info beside each image, until a few are in the map."""
         turn = iter(range(1000))

@@ -148,6 +148,14 @@ TEST(GridConversions, LabelImageFollowsTheRowsOfTheMap) {
   EXPECT_EQ(labels[1], 0);
 }
 
+TEST(GridConversions, FailureMode10OccupiedHalfOfTheWorldShowsNoMoreVoxelsThanTheCap) {
+  octomap::OcTree tree(0.1);
+  tree.updateNode(0.05F, 0.05F, 0.05F, false);
+  tree.createNodeChild(tree.getRoot(), 0)->setLogOdds(2.0F);
+  const sensor_msgs::PointCloud2 cloud = occupiedVoxels(tree, {});
+  EXPECT_EQ(cloud.width * cloud.height, kMaxShownVoxels);
+}
+
 TEST(GridConversions, OccupiedVoxelsOfAPrunedLeafAreAllShown) {
   octomap::OcTree tree(0.1);
   for (float x = 0.05F; x < 0.2F; x += 0.1F)
