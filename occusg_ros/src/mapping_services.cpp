@@ -65,7 +65,7 @@ Saver::Writing MappingNode::writingTo(const std::string& name) const {
 }
 
 std::string MappingNode::save(const std::string& name) {
-  const std::string folder = folderOf(name);
+  std::string folder = folderOf(name);
   saver_.write(writingTo(name));
   return folder;
 }

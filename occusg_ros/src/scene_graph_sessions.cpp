@@ -60,7 +60,7 @@ Saver::Writing SceneGraphNode::writingTo(const std::string& name) const {
 }
 
 std::string SceneGraphNode::save(const std::string& name) {
-  const std::string folder = folderOf(name);
+  std::string folder = folderOf(name);
   saver_.write(writingTo(name));
   return folder;
 }
