@@ -202,9 +202,9 @@ void report(const InputHealth::Counts& counts, const occusg::Pipeline& pipeline,
             << pipeline.graph().nodes(occusg::NodeType::kRoom).size() << " rooms; results are in "
             << folder << '\n';
   for (std::size_t i = 0; i < occusg_ros::kDropCount; ++i) {
-    if (counts.dropped[i] > 0)
-      std::cerr << "  " << occusg_ros::nameOf(static_cast<Drop>(i)) << ": " << counts.dropped[i]
-                << '\n';
+    if (counts.dropped[i] == 0) continue;
+    std::cerr << "  " << occusg_ros::nameOf(static_cast<Drop>(i)) << ": " << counts.dropped[i]
+              << '\n';
   }
   if (!counts.last_problem.empty())
     std::cerr << "  the last problem: " << counts.last_problem << '\n';
