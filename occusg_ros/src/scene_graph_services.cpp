@@ -127,9 +127,10 @@ bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,
                                   occusg::SegmentMap::Response& response) {
   try {
     occusg::PipelineConfig config = config_;
-    if (!request.decomposer.empty())
+    if (!request.decomposer.empty()) {
       config = occusg::configFromYaml("regions.decomposer: " + request.decomposer + "\n",
                                       "decomposer", config);
+    }
     const occusg::FreeSpace layer = toFreeSpace(request.map, "map");
     const auto decomposer = occusg::makeDecomposer(config);
     const occusg::Decomposition& found = decomposer->update(layer);

@@ -40,9 +40,10 @@ SemanticsSettings settingsFrom(const NodeHandles& handles) {
 }
 
 std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings& settings) {
-  if (settings.model.empty())
+  if (settings.model.empty()) {
     throw occusg::refuse("~model", "it names no file",
                          "give an ONNX file of a YOLO segmentation model");
+  }
   occusg::OnnxSegmenterConfig config;
   config.model_path = settings.model;
   config.class_names = occusg::readClassNames(settings.classes);
