@@ -76,9 +76,9 @@ po::options_description options() {
       "map", po::value<std::string>(),
       "OctoMap (.bt, .ot) to start from; same resolution and frame")(
       "resume", po::value<std::string>(),
-      "folder of a saved session to go on from, with its room ids")(
-      "save-session", po::value<std::string>(),
-      "folder to save what the system knows to; a session there is replaced")(
+      "folder of a saved session to go on from, with its room ids; one without a map needs "
+      "--map too")("save-session", po::value<std::string>(),
+                   "folder to save what the system knows to; a session there is replaced")(
       "schema", po::value<std::string>(),
       "occusg-1.0: also write scene_graph.occusg-1.0.json, the published system's schema")(
       "strict", "fail on the first frame that cannot be used");
@@ -158,10 +158,17 @@ std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) 
   const auto map = given<std::string>(values, "map");
   const auto session_folder = given<std::string>(values, "resume");
   const OccupancyMapConfig& config = pipeline.config().occupancy;
-  if (map && session_folder) throw UsageError("--map and --resume: a session has its own map");
-  if (map) pipeline.startFrom(readOctomap(*map, config));
-  if (!session_folder) return std::nullopt;
+  if (!session_folder) {
+    if (map) pipeline.startFrom(readOctomap(*map, config));
+    return std::nullopt;
+  }
   Session session = loadSession(*session_folder, config);
+  if (map && session.map) throw UsageError("--map and --resume: the session has its own map");
+  if (map) session.map = readOctomap(*map, config);
+  if (!session.map) {
+    throw refuse(*session_folder, "was saved without a 3D map",
+                 "name the one that was saved beside it, as in --map map.ot");
+  }
   const double stamp_s = session.state.stamp_s;
   pipeline.resume(std::move(session));
   return stamp_s;

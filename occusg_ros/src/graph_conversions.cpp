@@ -247,12 +247,15 @@ occusg::RoomInfo toRoomMsg(const SceneGraph& graph, NodeId id) {
   return msg;
 }
 
+occusg::DoorInfo toDoorMsg(const SceneGraph& graph, NodeId door) {
+  const auto& attributes = std::get<occusg::DoorAttributes>(graph.at(door).attributes);
+  return doorMsg(door, {attributes.room_a, attributes.room_b}, attributes.segment);
+}
+
 std::vector<occusg::DoorInfo> toDoorMsgs(const SceneGraph& graph) {
   std::vector<occusg::DoorInfo> msgs;
-  for (const auto& [id, node] : graph.nodes(NodeType::kDoor)) {
-    const auto& door = std::get<occusg::DoorAttributes>(node.attributes);
-    msgs.push_back(doorMsg(id, {door.room_a, door.room_b}, door.segment));
-  }
+  for (const auto& entry : graph.nodes(NodeType::kDoor))
+    msgs.push_back(toDoorMsg(graph, entry.first));
   if (!msgs.empty()) return msgs;
   // A graph without door nodes has them on its edges.
   for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
@@ -264,6 +267,7 @@ std::vector<occusg::DoorInfo> toDoorMsgs(const SceneGraph& graph) {
 
 std::vector<occusg::DoorInfo> toDoorMsgs(const std::vector<occusg::Crossing>& crossings) {
   std::vector<occusg::DoorInfo> msgs;
+  msgs.reserve(crossings.size());
   for (const occusg::Crossing& crossing : crossings)
     msgs.push_back(doorMsg(kNone, {crossing.region_a, crossing.region_b}, crossing.segment));
   return msgs;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "occusg/error.hpp"
@@ -209,12 +210,14 @@ sensor_msgs::PointCloud2 occupiedVoxels(const octomap::OcTree& tree,
   const auto finest = static_cast<float>(tree.getResolution());
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
     if (!tree.isNodeOccupied(*leaf)) continue;
-    const int side = static_cast<int>(std::lround(leaf.getSize() / tree.getResolution()));
+    // 64 bits: the root of a tree has 2^48 voxels.
+    const auto side = std::int64_t{std::llround(leaf.getSize() / tree.getResolution())};
     const float first = -0.5F * finest * static_cast<float>(side - 1);
-    for (int i = 0; i < side * side * side && centers.size() < kMaxShownVoxels; ++i) {
-      const octomap::point3d offset(static_cast<float>(i % side),
-                                    static_cast<float>(i / side % side),
-                                    static_cast<float>(i / side / side));
+    for (std::int64_t i = 0; i < side * side * side && centers.size() < kMaxShownVoxels; ++i) {
+      const std::int64_t row = i / side;
+      const std::int64_t layer = row / side;
+      const octomap::point3d offset(static_cast<float>(i % side), static_cast<float>(row % side),
+                                    static_cast<float>(layer));
       centers.push_back(leaf.getCoordinate() + octomap::point3d(first, first, first) +
                         offset * finest);
     }

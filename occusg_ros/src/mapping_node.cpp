@@ -10,6 +10,7 @@
 
 #include <boost/make_shared.hpp>
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "occusg/error.hpp"
@@ -45,6 +46,8 @@ MappingNode::MappingNode(const NodeHandles& handles)
       live_(settings_.live),
       map_(std::make_unique<occusg::MapPipeline>(config_)),
       pose_gate_(settings_.live.pose_gate),
+      saver_(settings_.autosave_period_s, started_s_,
+             [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
       tf_listener_(tf_),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
@@ -98,7 +101,8 @@ void MappingNode::subscribe() {
       handles_.inputs.subscribe("depth/camera_info", kQueue, &MappingNode::onInfo, this);
   transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
   image_subscriber_ = transport_->subscribe(
-      "depth/image_rect", kQueue, &MappingNode::onImage, this,
+      "depth/image_rect", static_cast<std::uint32_t>(settings_.queue_size), &MappingNode::onImage,
+      this,
       image_transport::TransportHints(settings_.image_transport, ros::TransportHints(),
                                       handles_.parameters));
   health_timer_ = handles_.inputs.createWallTimer(
@@ -149,13 +153,25 @@ void MappingNode::onImage(const sensor_msgs::ImageConstPtr& image) {
   if (stamp.verdict == StampVerdict::kJumpedBack) onClockJump();
   if (stamp.verdict != StampVerdict::kNewer && stamp.verdict != StampVerdict::kJumpedBack) return;
 
-  std::size_t pushed_out = 0;
+  std::optional<WaitingImage> pushed_out;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     pushed_out = waiting_.push({image, stamp.logical_s, steadySeconds()});
   }
-  drop(Drop::kOverload, "", pushed_out);
+  if (pushed_out) dropPushedOut(pushed_out->image->header);
   worker_->wake();
+}
+
+// It may have waited in vain for what the robot lacks; that is no overload.
+void MappingNode::dropPushedOut(const std_msgs::Header& header) {
+  const PoseAnswer answer = poseAt(tf_, settings_.map_frame, header.frame_id, header.stamp);
+  if (!camera()) {
+    drop(Drop::kCameraInfo, "no usable camera_info on " + info_subscriber_.getTopic());
+  } else if (answer.kind == PoseAnswer::Kind::kNotYet) {
+    drop(Drop::kNoTransform, answer.problem);
+  } else {
+    drop(Drop::kOverload, "");
+  }
 }
 
 void MappingNode::onClockJump() {
@@ -201,6 +217,7 @@ std::string MappingNode::tfProblem() const {
 }
 
 Worker::Progress MappingNode::step() {
+  saveFromTimeToTime();
   dropLateImages();
   PendingFrames<WaitingImage>::Taken taken = nextImage();
   drop(Drop::kOverload, "", taken.skipped);
@@ -282,7 +299,7 @@ void MappingNode::process(const WaitingImage& waiting) {
       noteStatus(steadySeconds() - waiting.arrived_s);
       return;
     }
-  } catch (const occusg::Error& error) {
+  } catch (const std::exception& error) {
     drop(Drop::kMap, error.what());
     return;
   }

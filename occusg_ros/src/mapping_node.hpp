@@ -27,6 +27,7 @@
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
+#include "occusg_ros/saver.hpp"
 #include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
@@ -42,6 +43,8 @@ class MappingNode {
   explicit MappingNode(const NodeHandles& handles);
   MappingNode(const MappingNode&) = delete;
   MappingNode& operator=(const MappingNode&) = delete;
+  MappingNode(MappingNode&&) = delete;
+  MappingNode& operator=(MappingNode&&) = delete;
   /// Within a second or so; what was mapped is saved.
   ~MappingNode();
 
@@ -67,6 +70,7 @@ class MappingNode {
   void onInfo(const sensor_msgs::CameraInfoConstPtr& info);
   void onImage(const sensor_msgs::ImageConstPtr& image);
   void onClockJump();
+  void dropPushedOut(const std_msgs::Header& header);
   void onReconfigure(occusg::MappingLiveConfig& live, std::uint32_t level);
   void checkHealth();
   void describe(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -84,7 +88,10 @@ class MappingNode {
   void noteStatus(double lag_s);
   void resetMap();
   void showNewMap();
+  [[nodiscard]] Saver::Writing writingTo(const std::string& name) const;
   [[nodiscard]] std::string save(const std::string& name);
+  void saveFromTimeToTime();
+  void noteSave(const std::string& folder, const std::string& problem);
   void load(const std::string& name);
   void resume();
   [[nodiscard]] std::string folderOf(const std::string& name) const;
@@ -129,6 +136,8 @@ class MappingNode {
   double last_frame_s_ = 0.0;   ///< Steady clock [s].
   double last_voxels_s_ = 0.0;  ///< Steady clock [s].
   double last_status_s_ = 0.0;  ///< Steady clock [s].
+  std::size_t frames_saved_ = 0;
+  Saver saver_;
 
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;

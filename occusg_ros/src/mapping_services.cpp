@@ -3,6 +3,8 @@
 
 #include <boost/make_shared.hpp>
 #include <chrono>
+#include <exception>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -19,6 +21,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{30000};
 constexpr const char* kMapFile = "map.ot";
+
+// A session that `occusg run` saved has its map inside.
+std::string mapFileIn(const std::string& folder) {
+  const std::string in_session = folder + "/session/" + kMapFile;
+  const std::string own = folder + "/" + kMapFile;
+  return !std::filesystem::exists(own) && std::filesystem::exists(in_session) ? in_session : own;
+}
 
 }  // namespace
 
@@ -44,20 +53,41 @@ std::string MappingNode::folderOf(const std::string& name) const {
   return expandedFolder(settings_.save_folder) + "/" + checkedSaveName(name);
 }
 
+Saver::Writing MappingNode::writingTo(const std::string& name) const {
+  return [this, name,
+          tree = occusg::toOctomap(map_->occupancyMap().tree(), occusg::OctomapEncoding::kFull),
+          layer = occusg::toMapFiles(map_->freeSpace(), "free_space.pgm")] {
+    const occusg::OutputFolder files(folderOf(name));
+    files.write(kMapFile, tree);
+    files.write("free_space.pgm", layer.pgm);
+    files.write("free_space.yaml", layer.yaml);
+  };
+}
+
 std::string MappingNode::save(const std::string& name) {
-  const occusg::OutputFolder folder(folderOf(name));
-  folder.write(kMapFile,
-               occusg::toOctomap(map_->occupancyMap().tree(), occusg::OctomapEncoding::kFull));
-  const occusg::MapFiles map = occusg::toMapFiles(map_->freeSpace(), "free_space.pgm");
-  folder.write("free_space.pgm", map.pgm);
-  folder.write("free_space.yaml", map.yaml);
-  return folder.path();
+  std::string folder = folderOf(name);
+  saver_.write(writingTo(name));
+  return folder;
+}
+
+void MappingNode::saveFromTimeToTime() {
+  const double now_s = steadySeconds();
+  const std::size_t frames = map_->counts().frames;
+  if (frames == frames_saved_ || !saver_.isDue(now_s)) return;
+  frames_saved_ = frames;
+  saver_.writeInBackground(now_s, writingTo(kDefaultSaveName));
+}
+
+void MappingNode::noteSave(const std::string& folder, const std::string& problem) {
+  if (!problem.empty()) ROS_WARN_STREAM(handles_.name << ": the map is not saved: " << problem);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_.last_save = problem.empty() ? folder : "failed: " + problem;
 }
 
 void MappingNode::load(const std::string& name) {
   // Into a fresh one: a file that cannot be used leaves the live map as it is.
   auto loaded = std::make_unique<occusg::MapPipeline>(config_);
-  loaded->startFrom(occusg::readOctomap(folderOf(name) + "/" + kMapFile, config_.occupancy));
+  loaded->startFrom(occusg::readOctomap(mapFileIn(folderOf(name)), config_.occupancy));
   map_ = std::move(loaded);
   showNewMap();
 }
@@ -107,7 +137,7 @@ bool MappingNode::onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Res
       [this, name = request.name, outcome] {
         try {
           outcome->folder = save(name);
-        } catch (const occusg::Error& error) {
+        } catch (const std::exception& error) {
           outcome->problem = error.what();
         }
       },
@@ -116,8 +146,7 @@ bool MappingNode::onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Res
   response.success = problem.empty();
   response.message = problem.empty() ? "saved" : problem;
   if (problem.empty()) response.folder = outcome->folder;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  status_.last_save = problem.empty() ? response.folder : "failed: " + problem;
+  noteSave(response.folder, problem);
   return true;
 }
 
@@ -127,7 +156,7 @@ bool MappingNode::onLoad(occusg::LoadMap::Request& request, occusg::LoadMap::Res
       [this, name = request.name, problem] {
         try {
           load(name);
-        } catch (const occusg::Error& error) {
+        } catch (const std::exception& error) {
           *problem = error.what();
         }
       },

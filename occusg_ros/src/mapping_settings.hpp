@@ -32,6 +32,7 @@ struct MappingSettings {
   double soft_memory_mib = 1000.0;
   bool allow_reset = true;
   bool save_on_exit = true;
+  double autosave_period_s = 30.0;
   std::string save_folder;
   std::string resume;
   MappingLive live;
@@ -64,6 +65,10 @@ struct MappingSettings {
                             {"allow_reset", "", "Whether the reset service may be used."}),
       choiceParameter<bool>(settings.save_on_exit, {{"true", true}, {"false", false}},
                             {"save_on_exit", "", "Whether the map is saved as 'last' at the end."}),
+      numberParameter(
+          settings.autosave_period_s, {0.0, 86400.0},
+          {"autosave_period_s", "s",
+           "The map is saved as 'last' so often while it changes; 0: only at the end."}),
       textParameter(settings.save_folder,
                     {"save_folder", "", "Where maps are saved; empty: ~/.ros/occusg."}),
       textParameter(settings.resume,

@@ -99,7 +99,7 @@ class BagRun {
  private:
   struct Waiting {
     sensor_msgs::ImageConstPtr image;
-    occusg::CameraModel camera;
+    std::optional<occusg::CameraModel> camera;  ///< None: the bag's first is still to come.
   };
 
   void take(const rosbag::MessageInstance& message);
@@ -114,7 +114,7 @@ class BagRun {
   tf2::BufferCore tf_;
   InputHealth health_;
   std::optional<occusg::CameraModel> camera_;
-  std::string camera_problem_ = "no camera_info came before it";
+  std::string camera_problem_;  ///< Of the last camera_info; empty while there was none.
   std::deque<Waiting> waiting_;
 };
 
@@ -156,23 +156,28 @@ void BagRun::takeTransforms(const tf2_msgs::TFMessage& transforms, bool is_stati
 
 void BagRun::takeImage(const sensor_msgs::ImageConstPtr& image) {
   health_.noteReceived();
-  if (!camera_) {
+  if (!camera_ && !camera_problem_.empty()) {
     health_.noteDropped(Drop::kCameraInfo, camera_problem_);
     return;
   }
-  waiting_.push_back({image, *camera_});
+  waiting_.push_back({image, camera_});
 }
 
 void BagRun::processWaiting(Patience patience) {
   while (!waiting_.empty()) {
-    const std_msgs::Header& header = waiting_.front().image->header;
+    Waiting& first = waiting_.front();
+    const bool may_wait = patience == Patience::kWait && waiting_.size() <= kMaxWaiting;
+    // Messages of one time are in any order in a bag.
+    if (!first.camera) first.camera = camera_;
+    const std_msgs::Header& header = first.image->header;
     const PoseAnswer answer =
         occusg_ros::poseAt(tf_, options_.map_frame, header.frame_id, header.stamp);
-    if (answer.kind == PoseAnswer::Kind::kFound) {
-      process(waiting_.front(), answer.T_target_source);
-    } else if (answer.kind == PoseAnswer::Kind::kNotYet && patience == Patience::kWait &&
-               waiting_.size() <= kMaxWaiting) {
-      return;
+    const bool is_late = !first.camera || answer.kind == PoseAnswer::Kind::kNotYet;
+    if (is_late && may_wait) return;
+    if (!first.camera) {
+      health_.noteDropped(Drop::kCameraInfo, "no camera_info on " + options_.info_topic);
+    } else if (answer.kind == PoseAnswer::Kind::kFound) {
+      process(first, answer.T_target_source);
     } else {
       health_.noteDropped(Drop::kNoTransform, answer.problem);
     }
@@ -184,7 +189,7 @@ void BagRun::process(const Waiting& waiting, const occusg::Pose& pose) {
   try {
     pipeline_.process({waiting.image->header.stamp.toSec(),
                        occusg_ros::toDepthImage(*waiting.image, options_.depth_topic),
-                       waiting.camera, pose});
+                       waiting.camera.value(), pose});
     health_.noteUsed();
   } catch (const occusg::Error& error) {
     health_.noteDropped(Drop::kImage, error.what());
@@ -197,9 +202,9 @@ void report(const InputHealth::Counts& counts, const occusg::Pipeline& pipeline,
             << pipeline.graph().nodes(occusg::NodeType::kRoom).size() << " rooms; results are in "
             << folder << '\n';
   for (std::size_t i = 0; i < occusg_ros::kDropCount; ++i) {
-    if (counts.dropped[i] > 0)
-      std::cerr << "  " << occusg_ros::nameOf(static_cast<Drop>(i)) << ": " << counts.dropped[i]
-                << '\n';
+    if (counts.dropped[i] == 0) continue;
+    std::cerr << "  " << occusg_ros::nameOf(static_cast<Drop>(i)) << ": " << counts.dropped[i]
+              << '\n';
   }
   if (!counts.last_problem.empty())
     std::cerr << "  the last problem: " << counts.last_problem << '\n';

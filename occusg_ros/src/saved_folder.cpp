@@ -40,9 +40,10 @@ std::string expandedFolder(const std::string& folder) {
   }
   if (folder.front() != '~') return folder;
   const std::string home = environment("HOME");
-  if (home.empty())
+  if (home.empty()) {
     throw occusg::refuse("save_folder", "'" + folder + "' needs HOME, which is not set",
                          "give an absolute path");
+  }
   return home + folder.substr(1);
 }
 

@@ -5,6 +5,7 @@
 
 #include <boost/make_shared.hpp>
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "occusg/error.hpp"
@@ -39,6 +40,8 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
       last_graph_(boost::make_shared<occusg::SceneGraphStamped>()),
       layout_(settings_.layout),
       rooms_(std::make_unique<occusg::RoomPipeline>(config_)),
+      saver_(settings_.autosave_period_s, started_s_,
+             [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
       tf_listener_(tf_),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
@@ -155,7 +158,7 @@ void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detectio
       [this, found = std::move(received.detections), stamp_s = detections->header.stamp.toSec()] {
         try {
           rooms_->observeObjects(found, timeline_.at(stamp_s));
-        } catch (const occusg::Error& error) {
+        } catch (const std::exception& error) {
           if (detection_warnings_.allows())
             ROS_WARN_STREAM(handles_.name << ": detections not used: " << error.what());
         }
@@ -193,6 +196,7 @@ void SceneGraphNode::tick() {
 }
 
 Worker::Progress SceneGraphNode::step() {
+  saveFromTimeToTime();
   std::optional<WaitingGrid> waiting;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -208,7 +212,7 @@ Worker::Progress SceneGraphNode::step() {
   try {
     update(*waiting->grid, *pose);
     health_.noteUsed();
-  } catch (const occusg::Error& error) {
+  } catch (const std::exception& error) {
     health_.noteDropped(Drop::kMap, error.what());
     if (map_warnings_.allows())
       ROS_WARN_STREAM(handles_.name << ": map not used: " << error.what());
@@ -321,8 +325,9 @@ void SceneGraphNode::publishMarkers(const std_msgs::Header& header) {
   std_msgs::Header in_map = header;
   in_map.frame_id = settings_.map_frame;
   MarkerSet wanted = drawGraph(rooms_->graph(), rooms_->regions(), layout, in_map);
-  const std::lock_guard<std::mutex> lock(markers_mutex_);
+  // This thread alone changes `shown_`; a new subscriber waits for the sending at most.
   const visualization_msgs::MarkerArray changes = markerChanges(shown_, wanted);
+  const std::lock_guard<std::mutex> lock(markers_mutex_);
   shown_ = std::move(wanted);
   if (!changes.markers.empty()) marker_publisher_.publish(changes);
 }

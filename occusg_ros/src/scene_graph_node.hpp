@@ -35,6 +35,7 @@
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/ros_timeline.hpp"
+#include "occusg_ros/saver.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
 #include "occusg_ros/worker.hpp"
@@ -51,6 +52,8 @@ class SceneGraphNode {
   explicit SceneGraphNode(const NodeHandles& handles);
   SceneGraphNode(const SceneGraphNode&) = delete;
   SceneGraphNode& operator=(const SceneGraphNode&) = delete;
+  SceneGraphNode(SceneGraphNode&&) = delete;
+  SceneGraphNode& operator=(SceneGraphNode&&) = delete;
   /// Within a second or so; what was found is saved.
   ~SceneGraphNode();
 
@@ -93,7 +96,10 @@ class SceneGraphNode {
   void publishMarkers(const std_msgs::Header& header);
   void noteStatus();
   void resetGraph();
+  [[nodiscard]] Saver::Writing writingTo(const std::string& name) const;
   [[nodiscard]] std::string save(const std::string& name);
+  void saveFromTimeToTime();
+  void noteSave(const std::string& folder, const std::string& problem);
   void load(const std::string& name);
   void resume();
   [[nodiscard]] std::string folderOf(const std::string& name) const;
@@ -153,6 +159,8 @@ class SceneGraphNode {
   std::optional<double> last_maintenance_s_;
   occusg::Pose last_pose_ = occusg::Pose::Identity();
   double last_status_s_ = 0.0;  ///< Steady clock [s].
+  std::uint64_t sequence_saved_ = 0;
+  Saver saver_;
 
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <utility>
 
@@ -54,7 +55,7 @@ std::string SceneGraphNode::onWorker(const std::function<void()>& work) {
       [work, problem] {
         try {
           work();
-        } catch (const occusg::Error& error) {
+        } catch (const std::exception& error) {
           *problem = error.what();
         }
       },
@@ -99,15 +100,15 @@ bool SceneGraphNode::onGetPath(occusg::GetPath::Request& request,
   const GraphPtr graph = lastGraph();
   const std::int64_t from = request.from_room == kNone ? graph->current_room : request.from_room;
   if (from == kNone) return answer(response, "the robot is in no room", "");
-  try {
-    RoomPath path = pathBetween(*graph, from, request.to_room);
-    response.rooms = std::move(path.rooms);
-    response.doors = std::move(path.doors);
-    response.length = path.length_m;
-    response.path = std::move(path.path);
-  } catch (const occusg::Error& error) {
-    return answer(response, error.what(), "");
-  }
+  const auto way = std::make_shared<RoomPath>();
+  const std::string problem = onWorker([this, from, to = request.to_room, way, graph] {
+    *way = pathBetween(rooms_->graph(), from, to, graph->header);
+  });
+  if (!problem.empty()) return answer(response, problem, "");
+  response.rooms = std::move(way->rooms);
+  response.doors = std::move(way->doors);
+  response.length = way->length_m;
+  response.path = std::move(way->path);
   return answer(response, "", std::to_string(response.rooms.size()) + " rooms on the way");
 }
 
@@ -126,9 +127,10 @@ bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,
                                   occusg::SegmentMap::Response& response) {
   try {
     occusg::PipelineConfig config = config_;
-    if (!request.decomposer.empty())
+    if (!request.decomposer.empty()) {
       config = occusg::configFromYaml("regions.decomposer: " + request.decomposer + "\n",
                                       "decomposer", config);
+    }
     const occusg::FreeSpace layer = toFreeSpace(request.map, "map");
     const auto decomposer = occusg::makeDecomposer(config);
     const occusg::Decomposition& found = decomposer->update(layer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <octomap/OcTree.h>
+#include <ros/console.h>
 #include <ros/service.h>
 
 #include <memory>
@@ -17,12 +17,9 @@ namespace {
 
 constexpr const char* kSessionFolder = "/session";
 
-// A session has a map, and this node has none: occusg/mapping saves it beside the session, so that
-// each of the two can save and load alone.
-octomap::OcTree placeholderMap(double resolution_m) {
-  octomap::OcTree tree(resolution_m);
-  tree.updateNode(octomap::point3d(0.0F, 0.0F, 0.0F), false);
-  return tree;
+// The node that maps writes these beside.
+bool isOfTheLayer(const std::string& name) {
+  return name == "free_space.pgm" || name == "free_space.yaml";
 }
 
 }  // namespace
@@ -43,21 +40,42 @@ void SceneGraphNode::resetGraph() {
   noteStatus();
 }
 
+// The session is without a map: the 3D map is the other node's, which saves it beside, so that each
+// of the two can save and load alone.
+Saver::Writing SceneGraphNode::writingTo(const std::string& name) const {
+  auto state = std::make_shared<occusg::SessionState>();
+  state->scene = settings_.scene;
+  state->stamp_s = timeline_.last();
+  state->T_map_camera = last_pose_;
+  rooms_->saveTo(*state);
+  const bool has_layer = settings_.mapping_node.empty();
+  return [this, name, has_layer, state = std::shared_ptr<const occusg::SessionState>(state),
+          layer = layer_, times = rooms_->times(), floor_z_m = config_.graph.rooms.floor_z_m] {
+    const occusg::OutputFolder files(folderOf(name));
+    occusg::saveSession(files.path() + kSessionFolder, *state);
+    const occusg::Findings findings{layer, state->graph.graph, floor_z_m, state->scene};
+    for (const occusg::ResultFile& file : occusg::resultFiles(findings, times))
+      if (has_layer || !isOfTheLayer(file.name)) files.write(file.name, file.bytes);
+  };
+}
+
 std::string SceneGraphNode::save(const std::string& name) {
-  const occusg::OutputFolder folder(folderOf(name));
-  occusg::SessionState state;
-  state.scene = settings_.scene;
-  state.stamp_s = timeline_.last();
-  state.T_map_camera = last_pose_;
-  rooms_->saveTo(state);
-  occusg::saveSession(folder.path() + kSessionFolder,
-                      placeholderMap(config_.occupancy.resolution_m), state);
-  for (const occusg::ResultFile& file :
-       occusg::resultFiles(occusg::Findings{layer_, rooms_->graph(), config_.graph.rooms.floor_z_m,
-                                            settings_.scene},
-                           rooms_->times()))
-    folder.write(file.name, file.bytes);
-  return folder.path();
+  std::string folder = folderOf(name);
+  saver_.write(writingTo(name));
+  return folder;
+}
+
+void SceneGraphNode::saveFromTimeToTime() {
+  const double now_s = steadySeconds();
+  if (!rooms_->lastUpdate() || sequence_ == sequence_saved_ || !saver_.isDue(now_s)) return;
+  sequence_saved_ = sequence_;
+  saver_.writeInBackground(now_s, writingTo(kDefaultSaveName));
+}
+
+void SceneGraphNode::noteSave(const std::string& folder, const std::string& problem) {
+  if (!problem.empty()) ROS_WARN_STREAM(handles_.name << ": the rooms are not saved: " << problem);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_.last_save = problem.empty() ? folder : "failed: " + problem;
 }
 
 void SceneGraphNode::load(const std::string& name) {
@@ -114,8 +132,7 @@ bool SceneGraphNode::onSave(occusg::SaveMap::Request& request,
   response.success = problem.empty();
   response.message = problem.empty() ? "saved" : problem;
   response.folder = *folder;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  status_.last_save = problem.empty() ? response.folder : "failed: " + problem;
+  noteSave(response.folder, problem);
   return true;
 }
 

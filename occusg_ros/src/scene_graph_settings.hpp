@@ -23,6 +23,7 @@ struct SceneGraphSettings {
   double tf_cache_s = 10.0;
   bool allow_reset = true;
   bool save_on_exit = true;
+  double autosave_period_s = 30.0;
   std::string save_folder;
   std::string resume;
   std::string mapping_node = "mapping";
@@ -53,6 +54,10 @@ struct SceneGraphSettings {
       choiceParameter<bool>(
           settings.save_on_exit, kYesNo,
           {"save_on_exit", "", "Whether the rooms are saved as 'last' at the end."}),
+      numberParameter(
+          settings.autosave_period_s, {0.0, 86400.0},
+          {"autosave_period_s", "s",
+           "The rooms are saved as 'last' so often while they change; 0: only at the end."}),
       textParameter(settings.save_folder,
                     {"save_folder", "", "Where rooms are saved; empty: ~/.ros/occusg."}),
       textParameter(settings.resume,

@@ -5,6 +5,8 @@
 
 #include <boost/make_shared.hpp>
 #include <chrono>
+#include <exception>
+#include <optional>
 #include <utility>
 
 #include "occusg/error.hpp"
@@ -38,9 +40,10 @@ SemanticsSettings settingsFrom(const NodeHandles& handles) {
 }
 
 std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings& settings) {
-  if (settings.model.empty())
+  if (settings.model.empty()) {
     throw occusg::refuse("~model", "it names no file",
                          "give an ONNX file of a YOLO segmentation model");
+  }
   occusg::OnnxSegmenterConfig config;
   config.model_path = settings.model;
   config.class_names = occusg::readClassNames(settings.classes);
@@ -55,6 +58,7 @@ SemanticsNode::SemanticsNode(const NodeHandles& handles)
     : handles_(handles),
       settings_(settingsFrom(handles)),
       started_s_(steadySeconds()),
+      waiting_(kQueue),
       segmenter_(segmenterFor(settings_)),
       builder_(settings_.builder),
       tf_listener_(tf_),
@@ -83,8 +87,9 @@ SemanticsNode::~SemanticsNode() {
   worker_.reset();
 }
 
-void SemanticsNode::drop(Drop reason, const std::string& sentence) {
-  health_.noteDropped(reason, sentence);
+void SemanticsNode::drop(Drop reason, const std::string& sentence, std::size_t count) {
+  if (count == 0) return;
+  health_.noteDropped(reason, sentence, count);
   if (!sentence.empty() && warnings_.allows())
     ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
 }
@@ -93,36 +98,57 @@ void SemanticsNode::onViews(const sensor_msgs::ImageConstPtr& color,
                             const sensor_msgs::ImageConstPtr& depth,
                             const sensor_msgs::CameraInfoConstPtr& info) {
   health_.noteReceived();
-  bool replaced = false;
+  std::optional<Views> pushed_out;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    replaced = waiting_.has_value();
-    waiting_ = Views{color, depth, info, steadySeconds()};
+    pushed_out = waiting_.push({color, depth, info, steadySeconds()});
   }
-  if (replaced) drop(Drop::kOverload, "");
+  if (pushed_out) {
+    const PoseAnswer pose = poseOf(*pushed_out);
+    const bool was_ready = pose.kind == PoseAnswer::Kind::kFound;
+    drop(was_ready ? Drop::kOverload : Drop::kNoTransform, pose.problem);
+  }
   worker_->wake();
 }
 
-Worker::Progress SemanticsNode::step() {
-  Views views;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!waiting_) return Worker::Progress::kIdle;
-    views = *waiting_;
-  }
+PoseAnswer SemanticsNode::poseOf(const Views& views) const {
   const std_msgs::Header& header = views.depth->header;
-  const PoseAnswer pose = poseAt(tf_, settings_.map_frame, header.frame_id, header.stamp);
-  const bool may_come = pose.kind == PoseAnswer::Kind::kNotYet &&
-                        steadySeconds() - views.arrived_s < settings_.tf_timeout_s;
-  if (may_come) return Worker::Progress::kIdle;
+  return poseAt(tf_, settings_.map_frame, header.frame_id, header.stamp);
+}
+
+void SemanticsNode::dropLateViews() {
+  std::size_t late = 0;
+  std::string why;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_ && waiting_->depth == views.depth) waiting_.reset();
+    const double now_s = steadySeconds();
+    late = waiting_.dropLate([&](const Views& views) {
+      if (now_s - views.arrived_s < settings_.tf_timeout_s) return false;
+      const PoseAnswer pose = poseOf(views);
+      if (pose.kind != PoseAnswer::Kind::kNotYet) return false;
+      why = pose.problem;
+      return true;
+    });
   }
-  if (pose.kind != PoseAnswer::Kind::kFound) {
-    drop(Drop::kNoTransform, pose.problem);
+  drop(Drop::kNoTransform, why, late);
+}
+
+Worker::Progress SemanticsNode::step() {
+  dropLateViews();
+  PendingFrames<Views>::Taken taken;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    taken = waiting_.take(Overload::kSkip, [this](const Views& views) {
+      return poseOf(views).kind != PoseAnswer::Kind::kNotYet;
+    });
+  }
+  drop(Drop::kOverload, "", taken.skipped);
+  if (!taken.frame) return Worker::Progress::kIdle;
+  const PoseAnswer pose = poseOf(*taken.frame);
+  if (pose.kind == PoseAnswer::Kind::kFound) {
+    process(*taken.frame, pose.T_target_source);
   } else {
-    process(views, pose.T_target_source);
+    drop(Drop::kNoTransform, pose.problem);
   }
   return Worker::Progress::kWorked;
 }
@@ -144,7 +170,7 @@ void SemanticsNode::process(const Views& views, const occusg::Pose& T_map_camera
     const std::lock_guard<std::mutex> lock(mutex_);
     times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
     detections_ += result.detections.size();
-  } catch (const occusg::Error& error) {
+  } catch (const std::exception& error) {
     drop(Drop::kImage, error.what());
   }
 }

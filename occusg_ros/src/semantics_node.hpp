@@ -13,7 +13,6 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 
 #include "node_handles.hpp"
@@ -21,6 +20,7 @@
 #include "occusg/perception/instance_segmenter.hpp"
 #include "occusg/pipeline/stage_times.hpp"
 #include "occusg_ros/input_health.hpp"
+#include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
 #include "occusg_ros/worker.hpp"
@@ -46,6 +46,8 @@ class SemanticsNode {
   explicit SemanticsNode(const NodeHandles& handles);
   SemanticsNode(const SemanticsNode&) = delete;
   SemanticsNode& operator=(const SemanticsNode&) = delete;
+  SemanticsNode(SemanticsNode&&) = delete;
+  SemanticsNode& operator=(SemanticsNode&&) = delete;
   ~SemanticsNode();
 
  private:
@@ -67,7 +69,9 @@ class SemanticsNode {
   // On the worker's thread.
   Worker::Progress step();
   void process(const Views& views, const occusg::Pose& T_map_camera);
-  void drop(Drop reason, const std::string& sentence);
+  [[nodiscard]] PoseAnswer poseOf(const Views& views) const;
+  void dropLateViews();
+  void drop(Drop reason, const std::string& sentence, std::size_t count = 1);
 
   NodeHandles handles_;
   SemanticsSettings settings_;
@@ -77,7 +81,7 @@ class SemanticsNode {
   Throttle warnings_{kWarningPeriod_s};
 
   std::mutex mutex_;  ///< Of the members up to `detections_`.
-  std::optional<Views> waiting_;
+  PendingFrames<Views> waiting_;
   occusg::StageTimes times_;
   std::size_t detections_ = 0;
 

@@ -24,9 +24,10 @@ sensor_msgs::Image imageOf(const cv::Mat& pixels, const std::string& encoding,
   image.height = static_cast<std::uint32_t>(pixels.rows);
   image.step = static_cast<std::uint32_t>(pixels.cols * pixels.elemSize());
   image.data.resize(std::size_t{image.step} * image.height);
-  for (int row = 0; row < pixels.rows; ++row)
+  for (int row = 0; row < pixels.rows; ++row) {
     std::memcpy(&image.data[static_cast<std::size_t>(row) * image.step], pixels.ptr(row),
                 image.step);
+  }
   return image;
 }
 

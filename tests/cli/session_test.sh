@@ -47,6 +47,10 @@ more=$(($(count OBJECT second) - $(count OBJECT one)))
 # --- What cannot be
 expect "no session" 1 "does not exist" run whole -o out --resume nowhere
 expect "map and session" 2 "its own map" run whole -o out --resume kept --map kept/map.ot
+# As occusg/scene_graph saves it, whose map is another node's.
+cp -r kept without_map && rm without_map/map.ot
+sed -i -E 's/"map\.ot": ?\{[^}]*\},?//' without_map/session.json
+expect "session without a map" 1 "was saved without a 3D map" run whole -o out --resume without_map
 expect "nothing new" 1 "no frame that is younger" run half -o out --resume kept
 cp -r kept damaged && head -c 1000 kept/map.ot > damaged/map.ot
 expect "damaged session" 1 "damaged/map.ot: is 1000 bytes long" run whole -o other --resume damaged

@@ -75,9 +75,10 @@ bool writeAll(int descriptor, const std::string& bytes) {
   return true;
 }
 
-/// Two processes that write to the same folder must not share a temporary file.
+/// Two threads that write to the same folder, of one process or of two, must not share a temporary
+/// file.
 std::string temporaryPath(const std::string& folder, const std::string& name) {
-  return (fs::path(folder) / ("." + name + "." + std::to_string(::getpid()) + ".part")).string();
+  return (fs::path(folder) / ("." + name + "." + std::to_string(::gettid()) + ".part")).string();
 }
 
 void writeDurably(const TemporaryFile& file, const std::string& bytes,

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -83,6 +84,26 @@ std::string checkedFile(const fs::path& folder, const std::string& name, const F
   return bytes;
 }
 
+void saveParts(const std::string& folder, const std::map<std::string, std::string>& parts,
+               const SessionState& state) {
+  checkSessionPlace(folder);
+  const fs::path place = placeOf(folder);
+  std::map<std::string, FileMark> marks;
+  for (const auto& [name, bytes] : parts) marks[name] = markOf(bytes);
+
+  fs::path parent = place.parent_path();
+  if (parent.empty()) parent = ".";
+  const OutputFolder beside(parent.string());
+  // The thread's number, unlike that of the process, is no other saving thread's.
+  const Leftover fresh(
+      parent / ("." + place.filename().string() + "." + std::to_string(::gettid()) + ".part"));
+  const OutputFolder written(fresh.path().string());
+  for (const auto& [name, bytes] : parts) written.write(name, bytes);
+  written.write(kSessionFile, toSessionJson(state, marks));
+  exchange(fresh.path(), place);
+  beside.flush();
+}
+
 void checkRooms(const SessionState& state, const std::string& where) {
   for (const auto& [region, room] : state.graph.rooms.former_room_of_region) {
     const Node* node = state.graph.graph.find(room);
@@ -106,31 +127,25 @@ void checkSessionPlace(const std::string& folder) {
 }
 
 void saveSession(const std::string& folder, const octomap::OcTree& map, const SessionState& state) {
-  checkSessionPlace(folder);
-  const fs::path place = placeOf(folder);
-  const std::map<std::string, std::string> parts = {
-      {kMapFile, toOctomap(map, OctomapEncoding::kFull)},
-      {kGraphFile, toJson(state.graph.graph, state.scene)}};
-  std::map<std::string, FileMark> marks;
-  for (const auto& [name, bytes] : parts) marks[name] = markOf(bytes);
+  saveParts(folder,
+            {{kMapFile, toOctomap(map, OctomapEncoding::kFull)},
+             {kGraphFile, toJson(state.graph.graph, state.scene)}},
+            state);
+}
 
-  fs::path parent = place.parent_path();
-  if (parent.empty()) parent = ".";
-  const OutputFolder beside(parent.string());
-  const Leftover fresh(
-      parent / ("." + place.filename().string() + "." + std::to_string(::getpid()) + ".part"));
-  const OutputFolder written(fresh.path().string());
-  for (const auto& [name, bytes] : parts) written.write(name, bytes);
-  written.write(kSessionFile, toSessionJson(state, marks));
-  exchange(fresh.path(), place);
-  beside.flush();
+void saveSession(const std::string& folder, const SessionState& state) {
+  saveParts(folder, {{kGraphFile, toJson(state.graph.graph, state.scene)}}, state);
 }
 
 Session loadSession(const std::string& folder, const OccupancyMapConfig& config) {
   const fs::path place(folder);
   const std::string path = (place / kSessionFile).string();
   SessionJson session = parseSessionJson(readFile(path, kMaxSessionBytes), path);
-  (void)checkedFile(place, kMapFile, session.files.at(kMapFile));
+  std::optional<OccupancyMap> map;
+  if (const auto mark = session.files.find(kMapFile); mark != session.files.end()) {
+    (void)checkedFile(place, kMapFile, mark->second);
+    map = readOctomap((place / kMapFile).string(), config);
+  }
   const std::string graph_path = (place / kGraphFile).string();
   SessionState& state = session.state;
   state.graph.graph =
@@ -144,7 +159,7 @@ Session loadSession(const std::string& folder, const OccupancyMapConfig& config)
     }
   }
   checkRooms(state, path);
-  return {readOctomap((place / kMapFile).string(), config), std::move(state)};
+  return {std::move(map), std::move(state)};
 }
 
 }  // namespace occusg

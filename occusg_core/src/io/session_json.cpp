@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "io/graph_json.hpp"
 #include "io/json_text.hpp"
@@ -99,7 +100,9 @@ Pose poseIn(const json& value, const std::string& where) {
 
 std::map<std::string, FileMark> filesIn(const json& value, const std::string& where) {
   std::map<std::string, FileMark> files;
-  for (const char* name : {"map.ot", "scene_graph.json"}) {
+  std::vector<const char*> names = {"scene_graph.json"};
+  if (value.is_object() && value.contains("map.ot")) names.push_back("map.ot");
+  for (const char* name : names) {
     const std::string place = where + " " + name;
     const json& mark = member(value, name, where);
     const json& bytes = member(mark, "bytes", place);

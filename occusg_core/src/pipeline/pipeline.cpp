@@ -32,7 +32,8 @@ void Pipeline::startFrom(OccupancyMap map) {
 }
 
 void Pipeline::resume(Session session) {
-  startFrom(std::move(session.map));
+  if (!session.map) throw refuse("session", "has no map", "the map it goes with is needed");
+  startFrom(std::move(*session.map));
   rooms_.resumeFrom(session.state);
   last_stamp_s_ = session.state.stamp_s;
   last_pose_ = session.state.T_map_camera;

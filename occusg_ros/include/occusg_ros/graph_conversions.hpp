@@ -47,6 +47,8 @@ struct GraphView {
 [[nodiscard]] occusg::RoomInfo toRoomMsg(const occusg::SceneGraph& graph, occusg::NodeId id);
 /// The doors between the rooms of a graph, or between the regions of a decomposition.
 [[nodiscard]] std::vector<occusg::DoorInfo> toDoorMsgs(const occusg::SceneGraph& graph);
+/// @param door a door node of the graph.
+[[nodiscard]] occusg::DoorInfo toDoorMsg(const occusg::SceneGraph& graph, occusg::NodeId door);
 [[nodiscard]] std::vector<occusg::DoorInfo> toDoorMsgs(
     const std::vector<occusg::Crossing>& crossings);
 

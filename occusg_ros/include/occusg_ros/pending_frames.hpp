@@ -25,12 +25,13 @@ class PendingFrames {
 
   explicit PendingFrames(std::size_t capacity) : capacity_(capacity) {}
 
-  /// Frames dropped to make room, oldest first: 0 or 1.
-  std::size_t push(Frame frame) {
+  /// The oldest frame, when it had to make room.
+  std::optional<Frame> push(Frame frame) {
     frames_.push_back(std::move(frame));
-    if (frames_.size() <= capacity_) return 0;
+    if (frames_.size() <= capacity_) return std::nullopt;
+    std::optional<Frame> pushed_out(std::move(frames_.front()));
     frames_.pop_front();
-    return 1;
+    return pushed_out;
   }
 
   /// The next frame among those that are ready: the newest or the oldest, as `overload` says.

@@ -3,24 +3,26 @@
 
 #include <nav_msgs/Path.h>
 #include <occusg/DoorInfo.h>
-#include <occusg/SceneGraphStamped.h>
+#include <std_msgs/Header.h>
 
-#include <cstdint>
 #include <vector>
+
+#include "occusg/graph/scene_graph.hpp"
 
 namespace occusg_ros {
 
-/// The way from one room to another.
+/// A way from one room to another.
 struct RoomPath {
   std::vector<std::int64_t> rooms;      ///< Both ends included.
-  std::vector<occusg::DoorInfo> doors;  ///< Between them, in the order they are passed.
-  nav_msgs::Path path;                  ///< From room node through the doors to room node.
-  double length_m = 0.0;
+  std::vector<occusg::DoorInfo> doors;  ///< In the order they are passed.
+  nav_msgs::Path path;                  ///< From room node to room node through free space.
+  double length_m = 0.0;                ///< Of the path.
 };
 
-/// The shortest way along the lines from rooms to their doors (Dijkstra 1959).
-/// @throws occusg::Error when one of the rooms does not exist or no way leads there.
-[[nodiscard]] RoomPath pathBetween(const occusg::SceneGraphStamped& graph, std::int64_t from,
-                                   std::int64_t to);
+/// The shortest way through free space, as `occusg::shortestRoute` finds it.
+/// @param header of the path.
+/// @throws occusg::Error when there is no such room or no way.
+[[nodiscard]] RoomPath pathBetween(const occusg::SceneGraph& graph, occusg::NodeId from,
+                                   occusg::NodeId to, const std_msgs::Header& header);
 
 }  // namespace occusg_ros

@@ -22,6 +22,8 @@ class Worker {
   Worker(std::chrono::milliseconds poll, std::function<Progress()> step);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
+  Worker(Worker&&) = delete;
+  Worker& operator=(Worker&&) = delete;
   /// Finishes the task it is at, drops the others, joins.
   ~Worker();
 

@@ -148,7 +148,7 @@ TEST_F(OctomapFile, HeaderIsReadWithoutTheTree) {
   EXPECT_DOUBLE_EQ(found.resolution_m, 0.1);
 }
 
-TEST_F(OctomapFile, EveryTruncationIsRefused) {
+TEST_F(OctomapFile, FailureMode17EveryTruncationIsRefused) {
   OccupancyMap small{OccupancyMapConfig{}};
   testing::insertSlice(small, {"..#", ".#.", "###"});
   for (const auto encoding : {OctomapEncoding::kFull, OctomapEncoding::kBinary}) {
@@ -184,7 +184,7 @@ TEST_F(OctomapFile, FlippedBytesAreRefusedOrGiveATreeOfTheDeclaredSize) {
   EXPECT_GT(refused, 300);
 }
 
-TEST_F(OctomapFile, DeclaredCountsAreCappedAndChecked) {
+TEST_F(OctomapFile, FailureMode17DeclaredCountsAreCappedAndChecked) {
   EXPECT_TRUE(tells(refusal(header("999999999999")), {"999999999999 nodes", "at most 67108864"}));
   EXPECT_TRUE(tells(refusal(header("99999999999999999999999")), {"map:4", "size"}));
   EXPECT_TRUE(tells(refusal(header("-3")), {"map:4", "size is \"-3\""}));

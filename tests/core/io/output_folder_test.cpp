@@ -84,7 +84,7 @@ TEST(OutputFolder, WritesAndReplacesFilesAndLeavesNothingElse) {
   EXPECT_EQ(filesIn(folder.path()), 2U);
 }
 
-TEST(OutputFolder, FullDiskKeepsThePreviousFileAndLeavesNoOther) {
+TEST(OutputFolder, FailureMode16FullDiskKeepsThePreviousFileAndLeavesNoOther) {
   const TemporaryFolder folder;
   const OutputFolder output(folder.path());
   output.write("x.json", "previous");
@@ -128,7 +128,7 @@ TEST(OutputFolder, FolderThatCannotBeWrittenIsFoundOnOpening) {
                     {"/proc/self", "cannot be written"}));
 }
 
-TEST(OutputFolder, ReadOnlyFolderIsFoundOnOpening) {
+TEST(OutputFolder, FailureMode16ReadOnlyFolderIsFoundOnOpening) {
   const TemporaryFolder folder;
   std::filesystem::permissions(
       folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec |

@@ -2,7 +2,11 @@
 #include "occusg/io/session_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <limits>
@@ -87,14 +91,51 @@ TEST_F(SessionFolder, BringsBackAllThatWasSaved) {
   EXPECT_EQ(state.graph.last_update_s, 12.25);
   EXPECT_EQ(state.graph.last_maintenance_s, 11.0);
   EXPECT_EQ(toJson(state.graph.graph, ""), toJson(expected.graph.graph, ""));
-  EXPECT_EQ(toOctomap(session.map.tree(), OctomapEncoding::kFull),
+  EXPECT_EQ(toOctomap(session.map.value().tree(), OctomapEncoding::kFull),
             toOctomap(map_.tree(), OctomapEncoding::kFull));
+}
+
+TEST_F(SessionFolder, OneWithoutAMapSaysSoAndHoldsTheRest) {
+  save();
+  saveSession(path_, sampleState());
+  EXPECT_FALSE(fs::exists(fs::path(path_) / "map.ot"));
+  const Session session = loadSession(path_, OccupancyMapConfig{});
+  EXPECT_FALSE(session.map.has_value());
+  EXPECT_EQ(toJson(session.state.graph.graph, ""), toJson(sampleState().graph.graph, ""));
 }
 
 TEST_F(SessionFolder, IdsOfRemovedNodesStayUsed) {
   save();
   const Session session = loadSession(path_, OccupancyMapConfig{});
   EXPECT_EQ(session.state.graph.graph.nextId(NodeType::kRoom), firstId(NodeType::kRoom) + 2);
+}
+
+// Every file of a session grows to a limit at which the writer is killed: at the kernel's hand,
+// without a word, as by SIGKILL or a power cut.
+TEST_F(SessionFolder, FailureMode14WriterKilledAtAnyWriteLeavesTheOldSessionOrTheNew) {
+  save();
+  SessionState second = sampleState();
+  second.stamp_s = 99.0;
+  std::size_t killed = 0;
+  bool completed = false;
+  for (rlim_t limit = 0; !completed; limit += 50) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      const rlimit file_size{limit, limit};
+      ::signal(SIGXFSZ, SIG_DFL);
+      ::setrlimit(RLIMIT_FSIZE, &file_size);
+      save(second);
+      ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    completed = WIFEXITED(status);
+    killed += WIFSIGNALED(status) ? 1 : 0;
+    const Session session = loadSession(path_, OccupancyMapConfig{});
+    EXPECT_EQ(session.state.stamp_s, completed ? 99.0 : 12.5) << "killed at byte " << limit;
+  }
+  EXPECT_GT(killed, 10U);
 }
 
 TEST_F(SessionFolder, ReplacesASessionAndLeavesNothingBeside) {
@@ -135,7 +176,7 @@ TEST_F(SessionFolder, MissingPartsAreNamed) {
   }
 }
 
-TEST_F(SessionFolder, AnyChangedByteOfAPartIsNoticed) {
+TEST_F(SessionFolder, FailureMode17AnyChangedByteOfAPartIsNoticed) {
   constexpr unsigned kSeed = 8;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   std::mt19937 random(kSeed);
@@ -156,7 +197,7 @@ TEST_F(SessionFolder, AnyChangedByteOfAPartIsNoticed) {
   }
 }
 
-TEST_F(SessionFolder, EveryTruncationOfTheIndexIsRefused) {
+TEST_F(SessionFolder, FailureMode17EveryTruncationOfTheIndexIsRefused) {
   save();
   const std::string bytes = folder_.read("kept/session/session.json");
   for (std::size_t length = 0; length + 2 < bytes.size(); length += 3) {

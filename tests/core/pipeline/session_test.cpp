@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "box_world.hpp"
@@ -98,6 +99,29 @@ TEST(Session, NeedsAFrameAndComesBeforeTheFirstOne) {
             }),
             {"after the first frame"}));
   EXPECT_GT(pipeline.occupancyMap().tree().size(), 0U);
+}
+
+TEST(Session, OneWithoutAMapGoesOnWithTheMapItIsGiven) {
+  const std::vector<DepthFrame> frames = testing::driveThroughTwoRooms();
+  const std::size_t half = frames.size() / 2;
+  Pipeline first{PipelineConfig{}};
+  processRange(first, frames, 0, half);
+  const TemporaryFolder folder;
+  saveSession(folder.at("whole"), first.occupancyMap().tree(), first.sessionState("drive"));
+  saveSession(folder.at("session"), first.sessionState("drive"));
+  const auto load = [&](const char* name) {
+    return loadSession(folder.at(name), first.config().occupancy);
+  };
+  Pipeline second{PipelineConfig{}};
+  EXPECT_TRUE(tells(sentenceOf([&] { second.resume(load("session")); }), {"has no map"}));
+  Session session = load("session");
+  session.map = load("whole").map;
+  second.resume(std::move(session));
+  processRange(second, frames, half, frames.size());
+  EXPECT_GE(second.graph().nodes(NodeType::kRoom).size(),
+            first.graph().nodes(NodeType::kRoom).size());
+  for (const auto& entry : first.graph().nodes(NodeType::kRoom))
+    EXPECT_NE(second.graph().find(entry.first), nullptr);
 }
 
 TEST(Session, OlderFramesAreRefused) {

@@ -194,7 +194,7 @@ TYPED_TEST(DecomposerContract, NoCellsGiveNoRegions) {
   EXPECT_TRUE(this->decompose(FreeSpace{}).labels.empty());
 }
 
-TYPED_TEST(DecomposerContract, NothingFreeGivesNoRegions) {
+TYPED_TEST(DecomposerContract, FailureMode13NothingFreeGivesNoRegions) {
   for (const std::int8_t value : {kUnknown, kFullObstacle, std::int8_t{1}}) {
     FreeSpace layer = solid(2.0, 3.0);
     fill(layer, 0.0, 0.0, 2.0, 3.0, value);
@@ -204,7 +204,7 @@ TYPED_TEST(DecomposerContract, NothingFreeGivesNoRegions) {
   }
 }
 
-TYPED_TEST(DecomposerContract, AllFreeIsOneRectangle) {
+TYPED_TEST(DecomposerContract, FailureMode13AllFreeIsOneRectangle) {
   FreeSpace layer = solid(3.0, 2.0);
   fill(layer, 0.0, 0.0, 3.0, 2.0);
   const Decomposition& result = this->decompose(layer);
@@ -214,7 +214,7 @@ TYPED_TEST(DecomposerContract, AllFreeIsOneRectangle) {
   expectContract(layer, result, kIslands<TypeParam>);
 }
 
-TYPED_TEST(DecomposerContract, SingleCellAndCheckerboardAndThinLinesAreDefined) {
+TYPED_TEST(DecomposerContract, FailureMode13SingleCellAndCheckerboardAndThinLinesAreDefined) {
   const std::vector<std::vector<std::string>> drawings{
       {"."},
       {"#.#", ".#.", "#.#"},
@@ -228,6 +228,51 @@ TYPED_TEST(DecomposerContract, SingleCellAndCheckerboardAndThinLinesAreDefined) 
     const FreeSpace layer = drawn(drawing);
     expectContract(layer, this->decompose(layer), kIslands<TypeParam>);
   }
+}
+
+TYPED_TEST(DecomposerContract, FailureMode13CombIsDefined) {
+  FreeSpace layer = solid(12.0, 5.0);
+  fill(layer, 0.5, 0.5, 11.5, 1.5);
+  for (double x = 0.5; x < 11.0; x += 1.0) fill(layer, x, 1.5, x + 0.5, 4.5);
+  const Decomposition& result = this->decompose(layer);
+  EXPECT_FALSE(result.regions.empty());
+  expectContract(layer, result, kIslands<TypeParam>);
+}
+
+TYPED_TEST(DecomposerContract, FailureMode13SpiralIsDefined) {
+  FreeSpace layer = solid(16.0, 16.0);
+  for (double inset = 0.5; inset < 7.0; inset += 2.0) {
+    const double far = 16.0 - inset;
+    fill(layer, inset, inset, far, inset + 1.0);
+    fill(layer, far - 1.0, inset, far, far);
+    fill(layer, inset + 2.0, far - 1.0, far, far);
+    fill(layer, inset + 2.0, inset + 2.0, inset + 3.0, far);
+  }
+  const Decomposition& result = this->decompose(layer);
+  EXPECT_FALSE(result.regions.empty());
+  expectContract(layer, result, kIslands<TypeParam>);
+}
+
+TYPED_TEST(DecomposerContract, FailureMode13TenThousandHolesAreDefined) {
+  constexpr int kSide = 400;
+  FreeSpace layer = solid(kSide * 0.05, kSide * 0.05);
+  fill(layer, 0.0, 0.0, kSide * 0.05, kSide * 0.05);
+  for (int y = 2; y < kSide; y += 4)
+    for (int x = 2; x < kSide; x += 4) layer.cells.at({x, y}) = kFullObstacle;
+  const Decomposition& result = this->decompose(layer);
+  EXPECT_FALSE(result.regions.empty());
+  expectFreeSpaceCovered(layer, result);
+  expectAdjacencyMatchesCrossings(result);
+}
+
+TYPED_TEST(DecomposerContract, FailureMode13RoomsThatTouchAtACornerAreDefined) {
+  FreeSpace layer = solid(9.0, 9.0);
+  fill(layer, 0.5, 0.5, 4.5, 4.5);
+  fill(layer, 4.5, 4.5, 8.5, 8.5);
+  const Decomposition& result = this->decompose(layer);
+  EXPECT_EQ(result.regions.size(), 2U);
+  EXPECT_TRUE(result.crossings.empty()) << "nobody passes between two corners";
+  expectContract(layer, result, kIslands<TypeParam>);
 }
 
 TYPED_TEST(DecomposerContract, LongOneCellCorridorIsKept) {

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The project's own recording through the nodelets ends with the rooms of `occusg run`."""
 import json
+import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -12,6 +14,7 @@ import rospy
 import rostest
 from dynamic_reconfigure.client import Client
 from occusg.msg import RoomArray, SceneGraphStamped, SceneGraphUpdate
+from occusg.srv import LoadMap, SaveMap
 from rosgraph_msgs.msg import Clock
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -55,6 +58,21 @@ def overlap(a, b):
 
 def rings_of(polygon):
     return [[(p.x, p.y) for p in ring.points] for ring in [polygon.outer] + polygon.holes]
+
+
+def later_recording(sequence, seconds, frames=20):
+    """The first frames of a recording, so many seconds later."""
+    folder = tempfile.mkdtemp(prefix="occusg_later_")
+    for name in os.listdir(sequence):
+        source, target = os.path.join(sequence, name), os.path.join(folder, name)
+        if name not in ("depth.txt", "groundtruth.txt"):
+            os.symlink(source, target)
+            continue
+        with open(source) as lines, open(target, "w") as shifted:
+            rows = [line.split(" ", 1) for line in lines if not line.startswith("#")]
+            shifted.writelines("%.6f %s" % (float(stamp) + seconds, rest)
+                               for stamp, rest in rows[:frames])
+    return folder
 
 
 class DemoTest(unittest.TestCase):
@@ -103,7 +121,7 @@ class DemoTest(unittest.TestCase):
         with open(out + "/rooms.json") as file:
             return json.load(file)
 
-    def test_rooms_are_those_of_the_command_line(self):
+    def test_failure_mode_07_rooms_are_those_of_the_command_line_at_any_rate(self):
         self.assertEqual(self.mapping.count("images used"), FRAMES, "no image was lost")
         truth = self.reference()
         self.assertEqual(len(self.rooms.rooms), len(truth["rooms"]))
@@ -117,6 +135,32 @@ class DemoTest(unittest.TestCase):
         self.assertEqual(
             {frozenset((partner[r.id], partner[n])) for r in self.rooms.rooms for n in r.adjacent},
             {frozenset(door["rooms"]) for door in truth["doors"]})
+
+    def test_zz_sessions_go_from_the_nodes_to_the_command_line_and_back(self):
+        answer = rospy.ServiceProxy("/occusg/scene_graph/save", SaveMap)("demo_test")
+        self.assertTrue(answer.success, answer.message)
+        later = later_recording(rospy.get_param("~sequence"), LAST_STAMP_S + HOLD_S + 1.0)
+        out = tempfile.mkdtemp(prefix="occusg_demo_test_")
+        command = [rospy.get_param("~command"), "run", later, "-o", out,
+                   "--resume", answer.folder + "/session"]
+        alone = subprocess.run(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                               universal_newlines=True)
+        self.assertEqual(alone.returncode, 1)
+        self.assertIn("was saved without a 3D map", alone.stderr)
+        back = os.path.join(os.path.dirname(answer.folder), "of_command_line")
+        shutil.rmtree(back, ignore_errors=True)
+        subprocess.run(command + ["--map", answer.folder + "/map.ot", "--save-session",
+                                  back + "/session"], check=True, stdout=subprocess.DEVNULL)
+        with open(out + "/rooms.json") as file:
+            gone_on = {room["id"]: room for room in json.load(file)["rooms"]}
+        known = {room.number: room for room in self.rooms.rooms}
+        self.assertEqual(set(gone_on), set(known))
+        for number, room in gone_on.items():
+            rings = [room["polygon"]] + room["holes"]
+            self.assertGreater(overlap(rings_of(known[number].polygon), rings), 0.9, number)
+        loaded = rospy.ServiceProxy("/occusg/scene_graph/load", LoadMap)("of_command_line")
+        self.assertTrue(loaded.success, loaded.message)
+        self.assertEqual({room.number for room in self.rooms.rooms}, set(known))
 
     def test_updates_add_up_to_the_graph(self):
         self.assertEqual(self.gaps, 0)

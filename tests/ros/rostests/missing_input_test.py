@@ -24,7 +24,7 @@ class MissingInputTest(unittest.TestCase):
         wait_until(lambda: self.log.said("no scene graph", "no free space on /nobody/free_space"),
                    30, "said by scene_graph")
 
-    def test_row_04_missing_transform_is_named_by_its_frames(self):
+    def test_failure_mode_04_missing_transform_is_named_by_its_frames(self):
         robot = Robot()
         robot.wait_for_subscribers(robot.info_publisher, robot.depth_publisher)
         for _ in range(40):
@@ -34,7 +34,7 @@ class MissingInputTest(unittest.TestCase):
         wait_until(lambda: self.log.said("no transform map <- camera_optical_frame"), 10,
                    "the transform is named")
 
-    def test_row_07_clock_that_does_not_run_is_said(self):
+    def test_failure_mode_07_clock_that_does_not_run_is_said(self):
         wait_until(lambda: self.log.said("use_sim_time", "/clock"), 30, "the clock is missed")
 
 

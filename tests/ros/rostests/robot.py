@@ -130,6 +130,7 @@ class Diagnostics:
     def __init__(self, name):
         self.name = name
         self.values = {}
+        self.reports = 0
         self.level = None
         self.message = ""
         self.subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self.receive)
@@ -139,9 +140,15 @@ class Diagnostics:
             if status.name.endswith(self.name):
                 self.level, self.message = status.level, status.message
                 self.values = {entry.key: entry.value for entry in status.values}
+                self.reports += 1
 
     def count(self, key):
         return int(self.values.get(key, "-1"))
+
+    def wait_for_news(self, reports=2):
+        """Until so many reports were made from now on; the first may have been on its way."""
+        seen = self.reports
+        wait_until(lambda: self.reports >= seen + reports, 20, "reports of " + self.name)
 
     def wait_for(self, key, at_least, timeout_s=20):
         try:

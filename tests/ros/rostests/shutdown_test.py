@@ -14,7 +14,7 @@ import rostest
 from nav_msgs.msg import OccupancyGrid
 from occusg.srv import ListRooms, LoadMap, SaveMap, SetRoomLabel
 
-from robot import Diagnostics, Robot, camera_info, two_rooms, wait_until
+from robot import Diagnostics, RosLog, Robot, camera_info, two_rooms, wait_until
 
 
 class ShutdownTest(unittest.TestCase):
@@ -35,27 +35,43 @@ class ShutdownTest(unittest.TestCase):
         process.wait(timeout=15)
         self.assertLess(time.monotonic() - started, 5.0)
 
-    def test_row_15_mapping_saves_on_sigint(self):
+    def test_failure_mode_15_mapping_saves_on_sigint(self):
         process = self.start("mapping", "mapped", "depth/image_rect:=/camera/depth/image_rect",
                              "depth/camera_info:=/camera/depth/camera_info")
         diagnostics = Diagnostics("mapped: mapping")
         self.robot.wait_for_subscribers(self.robot.depth_publisher, self.robot.info_publisher,
                                         self.robot.tf_publisher)
-        self.robot.info_publisher.publish(camera_info())
-        for i in range(8):
-            self.robot.send_frame(rospy.Time.now(), yaw=0.15 * i)
-            time.sleep(0.2)
-        diagnostics.wait_for("images used", 4)
+        self.feed_images(diagnostics)
         self.end(process, signal.SIGINT)
         saved = os.path.join(self.folder, "last", "free_space.pgm")
         self.assertGreater(os.path.getsize(saved), 100)
 
-    def test_row_15_scene_graph_saves_on_sigterm(self):
+    def test_failure_mode_15_scene_graph_saves_on_sigterm(self):
         process = self.start("scene_graph", "graphed", "free_space:=/map")
         self.feed_map(Diagnostics("graphed: scene graph"), 1.0, 2.0)
         self.end(process, signal.SIGTERM)
         with open(os.path.join(self.folder, "last", "rooms.json")) as rooms:
             self.assertGreaterEqual(rooms.read().count('"polygon"'), 1)
+
+    def test_failure_mode_15_nodelets_of_a_launch_file_save_on_sigint(self):
+        folder = tempfile.mkdtemp(prefix="occusg_launched_test_")
+        process = subprocess.Popen([
+            "roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map",
+            "save_folder:=" + folder, "autosave_period_s:=0", "mapping:=false"])
+        self.feed_map(Diagnostics("occusg/scene_graph: scene graph"), 1.0, 2.0)
+        self.end(process, signal.SIGINT)
+        self.assertIn('"polygon"', self.saved(folder, "rooms.json"))
+        self.assertIn("occusg-session", self.saved(folder, "session/session.json"))
+
+    def feed_images(self, diagnostics):
+        """Turns on the spot, with camera_info beside each image, until a few are in the map."""
+        turn = iter(range(1000))
+
+        def are_used():
+            self.robot.info_publisher.publish(camera_info())
+            self.robot.send_frame(rospy.Time.now(), yaw=0.05 * next(turn))
+            return diagnostics.count("images used") >= 4
+        wait_until(are_used, 30, "images are used")
 
     def feed_map(self, diagnostics, x, y):
         """Sends the laser map and the robot's place until the map is used."""
@@ -74,7 +90,7 @@ class ShutdownTest(unittest.TestCase):
         except rospy.ServiceException:
             return []
 
-    def test_row_19_killed_scene_graph_goes_on_with_the_same_room_ids(self):
+    def test_failure_mode_19_killed_scene_graph_goes_on_with_the_same_room_ids(self):
         arguments = ("free_space:=/map", "_mapping_node:=")
         process = self.start("scene_graph", "first_life", *arguments)
         first = Diagnostics("first_life: scene graph")
@@ -107,19 +123,16 @@ class ShutdownTest(unittest.TestCase):
         self.assertTrue(load("killed").success)
         self.end(process, signal.SIGINT)
 
-    def test_row_19_killed_mapping_goes_on_with_its_map(self):
+    def test_failure_mode_19_killed_mapping_goes_on_with_its_map(self):
         arguments = ("depth/image_rect:=/camera/depth/image_rect",
                      "depth/camera_info:=/camera/depth/camera_info", "free_space:=/mapped_space")
         process = self.start("mapping", "first_map", *arguments)
         self.robot.wait_for_subscribers(self.robot.depth_publisher, self.robot.info_publisher,
                                         self.robot.tf_publisher)
-        self.robot.info_publisher.publish(camera_info())
         diagnostics = Diagnostics("first_map: mapping")
-        for i in range(8):
-            self.robot.send_frame(rospy.Time.now(), yaw=0.15 * i)
-            time.sleep(0.2)
-        diagnostics.wait_for("images used", 4)
-        time.sleep(1.5)
+        self.feed_images(diagnostics)
+        # The last layer goes out a second after the last image; there is a report every second.
+        diagnostics.wait_for_news(4)
         before = rospy.wait_for_message("/mapped_space", OccupancyGrid, 10)
         answer = rospy.ServiceProxy("/first_map/save", SaveMap)("killed_map")
         self.assertTrue(answer.success, answer.message)
@@ -134,6 +147,79 @@ class ShutdownTest(unittest.TestCase):
         load = rospy.ServiceProxy("/second_map/load", LoadMap)
         self.assertFalse(load("../killed_map").success)
         self.assertTrue(load("killed_map").success)
+        self.end(process, signal.SIGINT)
+
+
+    def test_failure_mode_15_and_19_killed_nodes_go_on_from_the_autosave(self):
+        folder = tempfile.mkdtemp(prefix="occusg_autosave_test_")
+        own = ("_save_folder:=" + folder, "_autosave_period_s:=0.5")
+        graph_arguments = own + ("free_space:=/map", "_mapping_node:=")
+        map_arguments = own + ("depth/image_rect:=/camera/depth/image_rect",
+                               "depth/camera_info:=/camera/depth/camera_info",
+                               "free_space:=/autosaved_space")
+        graph = self.start("scene_graph", "autosaved_graph", *graph_arguments)
+        mapping = self.start("mapping", "autosaved_map", *map_arguments)
+        self.feed_map(Diagnostics("autosaved_graph: scene graph"), 6.0, 2.0)
+        self.robot.wait_for_subscribers(self.robot.depth_publisher, self.robot.info_publisher,
+                                        self.robot.tf_publisher)
+
+        def all_is_saved():
+            self.robot.info_publisher.publish(camera_info())
+            self.robot.send_frame(rospy.Time.now(), x=6.0, y=2.0)
+            return all(os.path.exists(os.path.join(folder, "last", name))
+                       for name in ("map.ot", "session/session.json", "rooms.json")) and \
+                len(self.rooms()) == 2
+        wait_until(all_is_saved, 40, "both are saved")
+        before = [(room.id, room.name) for room in self.rooms()]
+        rospy.ServiceProxy("set_room_label", SetRoomLabel)(before[0][0], "kitchen")
+        wait_until(lambda: "kitchen" in self.saved(folder, "rooms.json"), 20,
+                   "what changed is saved too")
+        for process in (graph, mapping):
+            process.kill()
+            process.wait(timeout=15)
+
+        log = RosLog()
+        resumed = self.start("scene_graph", "resumed_graph", "_resume:=last", *graph_arguments)
+        wait_until(lambda: len(self.rooms()) == 2, 30, "the rooms are there again")
+        self.assertEqual([(room.id, room.name) for room in self.rooms()], before)
+        self.assertEqual(self.rooms()[0].label, "kitchen")
+        mapping = self.start("mapping", "resumed_map", "_resume:=last", *map_arguments)
+        layer = rospy.wait_for_message("/autosaved_space", OccupancyGrid, 20)
+        self.assertGreater(layer.info.width, 10)
+        wait_until(lambda: log.said("goes on from the session", folder), 20, "what it resumed")
+        self.end(resumed, signal.SIGINT)
+        self.end(mapping, signal.SIGINT)
+
+    @staticmethod
+    def saved(folder, name):
+        with open(os.path.join(folder, "last", name)) as file:
+            return file.read()
+
+    def test_failure_mode_17_damaged_session_is_refused_and_the_live_graph_stays(self):
+        process = self.start("scene_graph", "damaged", "free_space:=/map", "_mapping_node:=")
+        self.feed_map(Diagnostics("damaged: scene graph"), 1.0, 2.0)
+
+        def two_are_found():
+            self.robot.send_pose(rospy.Time.now(), 1.0, 2.0)
+            return len(self.rooms()) == 2
+        wait_until(two_are_found, 30, "two rooms")
+        answer = rospy.ServiceProxy("/damaged/save", SaveMap)("damaged")
+        self.assertTrue(answer.success, answer.message)
+        index = os.path.join(answer.folder, "session", "session.json")
+        with open(index) as file:
+            whole = file.read()
+        load = rospy.ServiceProxy("/damaged/load", LoadMap)
+        for damaged in (whole[:200], "", whole.replace('"version": 1', '"version": 99'), "x" * 100):
+            self.assertNotEqual(damaged, whole)
+            with open(index, "w") as file:
+                file.write(damaged)
+            refused = load("damaged")
+            self.assertFalse(refused.success)
+            self.assertIn("session.json", refused.message)
+            self.assertEqual(len(self.rooms()), 2, "the live graph stays")
+        with open(index, "w") as file:
+            file.write(whole)
+        self.assertTrue(load("damaged").success)
         self.end(process, signal.SIGINT)
 
 

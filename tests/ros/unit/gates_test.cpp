@@ -23,7 +23,7 @@ occusg::Pose at(double x, double yaw_rad = 0.0) {
   return pose;
 }
 
-TEST(StampGate, Row6EqualAndOlderStampsAreNotNewer) {
+TEST(StampGate, FailureMode06EqualAndOlderStampsAreNotNewer) {
   StampGate gate;
   EXPECT_EQ(gate.take(10.0, 0.0).verdict, StampVerdict::kNewer);
   EXPECT_EQ(gate.take(10.0, 0.0).verdict, StampVerdict::kNotNewer);
@@ -31,7 +31,7 @@ TEST(StampGate, Row6EqualAndOlderStampsAreNotNewer) {
   EXPECT_EQ(gate.take(10.1, 0.0).verdict, StampVerdict::kNewer);
 }
 
-TEST(StampGate, Row6StampZeroAndFarFutureAreRefused) {
+TEST(StampGate, FailureMode06StampZeroAndFarFutureAreRefused) {
   StampGate gate;
   EXPECT_EQ(gate.take(0.0, 100.0).verdict, StampVerdict::kZero);
   EXPECT_EQ(gate.take(std::numeric_limits<double>::quiet_NaN(), 0.0).verdict, StampVerdict::kZero);
@@ -39,7 +39,7 @@ TEST(StampGate, Row6StampZeroAndFarFutureAreRefused) {
   EXPECT_EQ(gate.take(101.0, 100.0).verdict, StampVerdict::kNewer);
 }
 
-TEST(StampGate, Row6LogicalTimeGoesOnWhenTheClockJumpsBack) {
+TEST(StampGate, FailureMode06LogicalTimeGoesOnWhenTheClockJumpsBack) {
   StampGate gate;
   EXPECT_DOUBLE_EQ(gate.take(1000.0, 0.0).logical_s, 1000.0);
   EXPECT_DOUBLE_EQ(gate.take(1060.0, 0.0).logical_s, 1060.0);
@@ -71,7 +71,7 @@ TEST(RosTimeline, GoesOnAfterASessionThatWasSavedUnderAnotherClock) {
   EXPECT_DOUBLE_EQ(later.now(5001.0), 5001.0);
 }
 
-TEST(PoseGate, Row5JumpIsHeldBackAndARelocalisationGoesThrough) {
+TEST(PoseGate, FailureMode05JumpIsHeldBackAndARelocalisationGoesThrough) {
   PoseGate gate({1.0, 0.79, 1.0, 3});
   EXPECT_EQ(gate.take(at(0.0), 0.0), PoseVerdict::kUsual);
   EXPECT_EQ(gate.take(at(0.5), 0.1), PoseVerdict::kUsual);
@@ -83,13 +83,13 @@ TEST(PoseGate, Row5JumpIsHeldBackAndARelocalisationGoesThrough) {
   EXPECT_EQ(gate.take(at(9.3), 0.7), PoseVerdict::kUsual);
 }
 
-TEST(PoseGate, Row5ScatteredJumpsNeverBecomeARelocalisation) {
+TEST(PoseGate, FailureMode05ScatteredJumpsNeverBecomeARelocalisation) {
   PoseGate gate({1.0, 0.79, 1.0, 3});
   EXPECT_EQ(gate.take(at(0.0), 0.0), PoseVerdict::kUsual);
   for (int i = 1; i < 9; ++i) EXPECT_EQ(gate.take(at(10.0 * i), 0.1 * i), PoseVerdict::kJump) << i;
 }
 
-TEST(PoseGate, Row5TurnsCountAndLongPausesDoNot) {
+TEST(PoseGate, FailureMode05TurnsCountAndLongPausesDoNot) {
   PoseGate gate({1.0, 0.79, 1.0, 3});
   EXPECT_EQ(gate.take(at(0.0), 0.0), PoseVerdict::kUsual);
   EXPECT_EQ(gate.take(at(0.0, 1.0), 0.1), PoseVerdict::kJump);
@@ -97,9 +97,9 @@ TEST(PoseGate, Row5TurnsCountAndLongPausesDoNot) {
   EXPECT_EQ(gate.take(at(30.0), 5.0), PoseVerdict::kUsual);
 }
 
-TEST(PendingFrames, Row8NewestReadyFrameGoesFirstAndOlderOnesAreSkipped) {
+TEST(PendingFrames, FailureMode08NewestReadyFrameGoesFirstAndOlderOnesAreSkipped) {
   PendingFrames<int> frames(10);
-  for (int i = 1; i <= 5; ++i) EXPECT_EQ(frames.push(i), 0U);
+  for (int i = 1; i <= 5; ++i) EXPECT_FALSE(frames.push(i));
   const auto taken = frames.take(Overload::kSkip, [](int frame) { return frame <= 3; });
   ASSERT_TRUE(taken.frame);
   EXPECT_EQ(*taken.frame, 3);
@@ -108,17 +108,17 @@ TEST(PendingFrames, Row8NewestReadyFrameGoesFirstAndOlderOnesAreSkipped) {
   EXPECT_FALSE(frames.take(Overload::kSkip, [](int) { return false; }).frame);
 }
 
-TEST(PendingFrames, Row8MemoryIsBoundedByTheOldestGoing) {
+TEST(PendingFrames, FailureMode08MemoryIsBoundedByTheOldestGoing) {
   PendingFrames<int> frames(2);
-  EXPECT_EQ(frames.push(1) + frames.push(2), 0U);
-  EXPECT_EQ(frames.push(3), 1U);
+  EXPECT_FALSE(frames.push(1) || frames.push(2));
+  EXPECT_EQ(frames.push(3), 1) << "the oldest";
   EXPECT_EQ(*frames.take(Overload::kQueue, [](int) { return true; }).frame, 2);
 }
 
 TEST(PendingFrames, QueueKeepsTheOrderAndWaitsForItsFirst) {
   PendingFrames<int> frames(10);
-  frames.push(1);
-  frames.push(2);
+  (void)frames.push(1);
+  (void)frames.push(2);
   EXPECT_FALSE(frames.take(Overload::kQueue, [](int frame) { return frame == 2; }).frame);
   EXPECT_EQ(*frames.take(Overload::kQueue, [](int) { return true; }).frame, 1);
   EXPECT_EQ(frames.dropLate([](int frame) { return frame == 2; }), 1U);
@@ -139,7 +139,7 @@ TEST(Worker, RunsTasksInOrderAndStepsBetweenThem) {
   EXPECT_EQ(stepped.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
 }
 
-TEST(Worker, Row20EndsWithTasksStillWaiting) {
+TEST(Worker, FailureMode20EndsWithTasksStillWaiting) {
   std::atomic<int> ran{0};
   {
     Worker worker(std::chrono::milliseconds(1), [] { return Worker::Progress::kIdle; });

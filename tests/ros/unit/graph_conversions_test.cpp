@@ -7,9 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "occusg/error.hpp"
 #include "occusg_ros/markers.hpp"
-#include "occusg_ros/room_path.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -100,7 +98,7 @@ TEST(GraphConversions, PolygonSurvivesTheWayThroughAMessage) {
   EXPECT_EQ(back.holes, polygon.holes);
 }
 
-TEST(GraphConversions, Row12DetectionsThatCannotBeUsedAreRefusedOneByOne) {
+TEST(GraphConversions, FailureMode12DetectionsThatCannotBeUsedAreRefusedOneByOne) {
   occusg::DetectionArray msg;
   occusg::DetectionInfo good;
   good.class_name = "chair";
@@ -116,7 +114,7 @@ TEST(GraphConversions, Row12DetectionsThatCannotBeUsedAreRefusedOneByOne) {
   EXPECT_NE(received.first_refusal.find("detection 1"), std::string::npos);
 }
 
-TEST(GraphConversions, Row12DetectionsAreCappedPerMessage) {
+TEST(GraphConversions, FailureMode12DetectionsAreCappedPerMessage) {
   occusg::DetectionArray msg;
   msg.detections.resize(100'000);
   const ReceivedDetections received = toDetections(msg);
@@ -138,25 +136,6 @@ TEST(GraphConversions, DetectionsSurviveTheWayThroughAMessage) {
   EXPECT_EQ(back.detections[0].centroid, detection.centroid);
   EXPECT_TRUE(back.detections[0].box.isApprox(detection.box));
   EXPECT_EQ(back.detections[0].point_count, 77U);
-}
-
-TEST(RoomPath, LeadsThroughTheDoorsInOrder) {
-  const Row row;
-  const RoomPath path = pathBetween(toGraphMsg(row.view()), row.rooms[0], row.rooms[2]);
-  EXPECT_EQ(path.rooms, (std::vector<std::int64_t>{row.rooms[0], row.rooms[1], row.rooms[2]}));
-  ASSERT_EQ(path.doors.size(), 2U);
-  EXPECT_DOUBLE_EQ(path.doors[0].ends[0].x, 2.0);
-  EXPECT_EQ(path.path.poses.size(), 5U);
-  EXPECT_NEAR(path.length_m, 4.0, 1e-9);
-  EXPECT_EQ(pathBetween(toGraphMsg(row.view()), row.rooms[1], row.rooms[1]).rooms.size(), 1U);
-}
-
-TEST(RoomPath, SaysWhenThereIsNoRoomOrNoWay) {
-  Row row;
-  const NodeId island = addRoom(row.graph, 0.0, 9.0);
-  const occusg::SceneGraphStamped msg = toGraphMsg(row.view());
-  EXPECT_THROW((void)pathBetween(msg, row.rooms[0], 1), occusg::Error);
-  EXPECT_THROW((void)pathBetween(msg, row.rooms[0], island), occusg::Error);
 }
 
 MarkerSet drawn(const Row& row) {

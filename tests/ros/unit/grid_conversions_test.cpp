@@ -70,7 +70,7 @@ TEST(GridConversions, OriginBetweenCellsMovesTheMapByHalfACellAtMost) {
   EXPECT_EQ(toFreeSpace(grid, "map").cells.box().min, (Cell{3, -2}));
 }
 
-TEST(GridConversions, Row11RotatedOriginIsHonoured) {
+TEST(GridConversions, FailureMode11RotatedOriginIsHonoured) {
   nav_msgs::OccupancyGrid grid = smallGrid();
   grid.info.origin.position.x = 0.0;
   grid.info.origin.position.y = 0.0;
@@ -83,7 +83,7 @@ TEST(GridConversions, Row11RotatedOriginIsHonoured) {
   EXPECT_EQ(layer.cells.valueOr({-1, 0}, 1), occusg::kFree);
 }
 
-TEST(GridConversions, Row11MapsThatCannotBeUsedAreRefused) {
+TEST(GridConversions, FailureMode11MapsThatCannotBeUsedAreRefused) {
   EXPECT_EQ(refusalOf(smallGrid()), "accepted");
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const float resolution : {0.0F, -0.05F, nan, 1e9F}) {
@@ -146,6 +146,14 @@ TEST(GridConversions, LabelImageFollowsTheRowsOfTheMap) {
   std::memcpy(labels, image.data.data(), sizeof(labels));
   EXPECT_EQ(labels[4], 7);
   EXPECT_EQ(labels[1], 0);
+}
+
+TEST(GridConversions, FailureMode10OccupiedHalfOfTheWorldShowsNoMoreVoxelsThanTheCap) {
+  octomap::OcTree tree(0.1);
+  tree.updateNode(0.05F, 0.05F, 0.05F, false);
+  tree.createNodeChild(tree.getRoot(), 0)->setLogOdds(2.0F);
+  const sensor_msgs::PointCloud2 cloud = occupiedVoxels(tree, {});
+  EXPECT_EQ(cloud.width * cloud.height, kMaxShownVoxels);
 }
 
 TEST(GridConversions, OccupiedVoxelsOfAPrunedLeafAreAllShown) {

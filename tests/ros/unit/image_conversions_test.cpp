@@ -71,7 +71,7 @@ TEST(ImageConversions, RowsLongerThanThePixelsAreHonoured) {
   EXPECT_EQ(toDepthImage(image, "depth").pixels.at<std::uint16_t>(1, 0), 700);
 }
 
-TEST(ImageConversions, Row2ImagesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {
+TEST(ImageConversions, FailureMode02ImagesThatDoNotFitAreRefusedBeforeAnythingIsAllocated) {
   EXPECT_NE(refusalOf(depthImage(4, 4, "rgb8", 3)).find("rgb8"), std::string::npos);
 
   sensor_msgs::Image short_of_data = depthImage(4, 4, "32FC1", 4);
@@ -130,7 +130,7 @@ TEST(ImageConversions, BinningAndRegionOfInterestAreThoseOfTheImage) {
   EXPECT_DOUBLE_EQ(camera.cx, 110.0);
 }
 
-TEST(ImageConversions, Row3CameraInfoThatIsNoCameraIsRefused) {
+TEST(ImageConversions, FailureMode03CameraInfoThatIsNoCameraIsRefused) {
   EXPECT_EQ(refusalOf(goodInfo()), "accepted");
   for (const double focal : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     sensor_msgs::CameraInfo info = goodInfo();

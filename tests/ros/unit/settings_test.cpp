@@ -46,7 +46,7 @@ TEST(Parameters, NestedStructsBecomeDottedKeys) {
   EXPECT_EQ(given.at("save_on_exit"), "true");
 }
 
-TEST(SavedFolder, Row18NameIsNeverAPath) {
+TEST(SavedFolder, FailureMode18NameIsNeverAPath) {
   EXPECT_EQ(checkedSaveName(""), "last");
   EXPECT_EQ(checkedSaveName("flat-2.b_1"), "flat-2.b_1");
   for (const char* name : {"..", "../x", "/etc", "a/b", ".hidden", "a b", "a\nb", "~", "a\\b"})
@@ -54,7 +54,7 @@ TEST(SavedFolder, Row18NameIsNeverAPath) {
   EXPECT_THROW((void)checkedSaveName(std::string(65, 'a')), occusg::Error);
 }
 
-TEST(SavedFolder, Row16TildeIsTheHome) {
+TEST(SavedFolder, FailureMode16TildeIsTheHome) {
   setenv("HOME", "/home/robot", 1);
   unsetenv("ROS_HOME");
   EXPECT_EQ(expandedFolder("~/maps"), "/home/robot/maps");
@@ -110,7 +110,7 @@ geometry_msgs::TransformStamped transform(double stamp_s, double x) {
   return msg;
 }
 
-TEST(TfPoses, Row4PoseIsNeverMadeUp) {
+TEST(TfPoses, FailureMode04PoseIsNeverMadeUp) {
   tf2::BufferCore tf;
   EXPECT_EQ(poseAt(tf, "map", "camera", ros::Time(5.0)).kind, PoseAnswer::Kind::kNotYet);
   tf.setTransform(transform(10.0, 1.0), "test");
@@ -125,7 +125,7 @@ TEST(TfPoses, Row4PoseIsNeverMadeUp) {
   EXPECT_EQ(poseAt(tf, "map", "", ros::Time()).kind, PoseAnswer::Kind::kUnusable);
 }
 
-TEST(PoseConversions, Row4OnlyRotationsAndFiniteNumbersAreAPose) {
+TEST(PoseConversions, FailureMode04OnlyRotationsAndFiniteNumbersAreAPose) {
   geometry_msgs::Transform msg = transform(0.0, 3.0).transform;
   EXPECT_DOUBLE_EQ(toPose(msg, "tf").translation().x(), 3.0);
   msg.rotation.w = 0.5;

@@ -3,6 +3,7 @@
 
 #include <octomap/OcTree.h>
 
+#include <optional>
 #include <string>
 
 #include "occusg/io/session_state.hpp"
@@ -15,7 +16,7 @@ inline constexpr int kSessionVersion = 1;
 
 /// A saved session.
 struct Session {
-  OccupancyMap map;
+  std::optional<OccupancyMap> map;  ///< None when it was saved without one.
   SessionState state;
 };
 
@@ -29,6 +30,8 @@ void checkSessionPlace(const std::string& folder);
 /// never a mixture.
 /// @throws Error as `checkSessionPlace`, or when it cannot be written; what was there is untouched.
 void saveSession(const std::string& folder, const octomap::OcTree& map, const SessionState& state);
+/// The same without a map, for a system whose map is somewhere else or in two dimensions only.
+void saveSession(const std::string& folder, const SessionState& state);
 
 /// @param config of the map; its resolution must be the session's.
 /// @throws Error naming the file and the fault: a file missing, of another size or content than

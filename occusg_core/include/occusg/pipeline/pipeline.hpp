@@ -34,7 +34,7 @@ class Pipeline {
 
   /// Goes on where a saved session ended, with the same ids; before the first frame. Frames must be
   /// younger than the session's last.
-  /// @throws Error as `startFrom`.
+  /// @throws Error as `startFrom`, or when the session has no map.
   void resume(Session session);
   /// What to save beside `occupancyMap()` so that another pipeline can go on from here; to be taken
   /// before `finish`, which decides what only an end decides.

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+
+namespace occusg_ros {
+
+/// Writes what a node knows, one writing at a time. From time to time it does so on a thread of its
+/// own: a slow disk must not keep the node from its work.
+class Saver {
+ public:
+  /// Writes a copy of what was known; throws when it cannot.
+  using Writing = std::function<void()>;
+  /// What became of a writing in the background: the sentence of what went wrong, empty: nothing.
+  using Report = std::function<void(const std::string& problem)>;
+
+  /// @param period_s between two writings in the background; 0: there are none.
+  /// @param now_s the steady clock; the first is due one period later.
+  Saver(double period_s, double now_s, Report report);
+  Saver(const Saver&) = delete;
+  Saver& operator=(const Saver&) = delete;
+  Saver(Saver&&) = delete;
+  Saver& operator=(Saver&&) = delete;
+  /// Waits for the writing it is at.
+  ~Saver();
+
+  /// Whether the period has passed and nothing is being written. The member functions are called
+  /// on one thread.
+  [[nodiscard]] bool isDue(double now_s) const;
+  void writeInBackground(double now_s, Writing writing);
+  /// Writes at once, after what is being written.
+  void write(const Writing& writing);
+
+ private:
+  double period_s_;
+  double last_s_;
+  Report report_;
+  std::mutex writing_mutex_;  ///< Held while something is written.
+  std::future<void> background_;
+};
+
+}  // namespace occusg_ros

@@ -1,0 +1,107 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A recording as a bag, and the bag through the pipeline; needs no master.
+
+Usage: bag_tools_test.py OCCUSG OCCUSG_PLAY OCCUSG_BAG RECORDING WORK_FOLDER"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+import rosbag
+
+OCCUSG, PLAY, BAG, RECORDING, WORK = sys.argv[1:6]
+FRAMES = 314
+FIRST_STAMP_S = 1000.0  # where occusg_play begins
+
+
+def run(*command):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True)
+
+
+def read(folder, name):
+    with open(os.path.join(WORK, folder, name), "rb") as file:
+        return file.read()
+
+
+class BagToolsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(WORK, ignore_errors=True)
+        os.makedirs(WORK)
+        cls.bag = os.path.join(WORK, "drive.bag")
+        played = run(PLAY, RECORDING, "--bag", cls.bag, "--no-color")
+        assert played.returncode == 0, played.stderr
+
+    def refused(self, *command):
+        """The one sentence a command that cannot work ends with."""
+        ended = run(*command)
+        self.assertEqual(ended.returncode, 1, ended.stdout)
+        self.assertEqual(len(ended.stderr.splitlines()), 1, ended.stderr)
+        return ended.stderr
+
+    def test_bag_holds_the_recording(self):
+        with rosbag.Bag(self.bag) as bag:
+            topics = {name: (info.msg_type, info.message_count)
+                      for name, info in bag.get_type_and_topic_info().topics.items()}
+            first = next(bag.read_messages("/camera/depth/image_rect")).message
+            info = next(bag.read_messages("/camera/depth/camera_info")).message
+        self.assertEqual(topics, {
+            "/tf": ("tf2_msgs/TFMessage", FRAMES),
+            "/odom": ("nav_msgs/Odometry", FRAMES),
+            "/camera/depth/camera_info": ("sensor_msgs/CameraInfo", FRAMES),
+            "/camera/depth/image_rect": ("sensor_msgs/Image", FRAMES)})
+        self.assertEqual(first.encoding, "16UC1")
+        self.assertEqual((first.width, first.height), (info.width, info.height))
+        self.assertAlmostEqual(first.header.stamp.to_sec(), FIRST_STAMP_S)
+        self.assertEqual(first.header.frame_id, info.header.frame_id)
+
+    def test_bag_gives_the_files_and_rooms_of_the_recording(self):
+        out = os.path.join(WORK, "of_bag")
+        ended = run(BAG, self.bag, "-o", out)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertIn("%d of %d images used" % (FRAMES, FRAMES), ended.stdout)
+        reference = os.path.join(WORK, "of_recording")
+        self.assertEqual(run(OCCUSG, "run", RECORDING, "-o", reference).returncode, 0)
+        self.assertEqual(sorted(os.listdir(out)), sorted(os.listdir(reference)))
+        for name in ("map.ot", "free_space.pgm"):
+            self.assertEqual(read("of_bag", name), read("of_recording", name), name)
+        of_bag, of_recording = (json.loads(read(folder, "rooms.json"))
+                                for folder in ("of_bag", "of_recording"))
+        self.assertGreater(len(of_bag["rooms"]), 1)
+        for key in ("id", "polygon", "holes"):
+            self.assertEqual([room[key] for room in of_bag["rooms"]],
+                             [room[key] for room in of_recording["rooms"]])
+        self.assertEqual(of_bag["doors"], of_recording["doors"])
+
+    def test_images_without_a_pose_are_counted_and_fail_the_run(self):
+        ended = run(BAG, self.bag, "-o", os.path.join(WORK, "lost"), "--map-frame", "nowhere")
+        self.assertEqual(ended.returncode, 1)
+        self.assertIn("no_transform: %d" % FRAMES, ended.stderr)
+
+    def test_what_cannot_be_used_is_said_in_one_sentence(self):
+        out = os.path.join(WORK, "none")
+        self.assertIn("name a bag", self.refused(BAG))
+        self.assertIn("nowhere.bag", self.refused(BAG, os.path.join(WORK, "nowhere.bag"), "-o", out))
+        text = os.path.join(WORK, "text.bag")
+        with open(text, "w") as file:
+            file.write("no bag\n")
+        self.refused(BAG, text, "-o", out)
+        self.assertIn("--depth", self.refused(BAG, self.bag_of_two_cameras(), "-o", out))
+        self.assertIn("nowhere", self.refused(PLAY, os.path.join(WORK, "nowhere"), "--bag", text))
+        self.assertIn("--rate", self.refused(PLAY, RECORDING, "--rate", "0"))
+
+    def bag_of_two_cameras(self):
+        path = os.path.join(WORK, "two.bag")
+        with rosbag.Bag(self.bag) as bag, rosbag.Bag(path, "w") as two:
+            _, image, stamp = next(bag.read_messages("/camera/depth/image_rect"))
+            two.write("/left/depth", image, stamp)
+            two.write("/right/depth", image, stamp)
+        return path
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
