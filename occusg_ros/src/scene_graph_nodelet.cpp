@@ -18,6 +18,7 @@ class SceneGraphNodelet : public nodelet::Nodelet {
                                                            getMTPrivateNodeHandle(), getName()});
     } catch (const occusg::Error& error) {
       NODELET_FATAL_STREAM(getName() << " does not start: " << error.what());
+      throw;  // nodelet's loader takes it as a failure to load; a node of its own ends
     }
   }
 

@@ -85,17 +85,17 @@ class ParametersTest(unittest.TestCase):
         self.assertIn("~mapping/occupancy/resolutoin_m is not a parameter; did you mean "
                       "~mapping/occupancy/resolution_m?", said[0])
 
-    def test_values_that_are_not_allowed_are_all_named_at_once(self):
-        process = self.start("mapping", "impossible", {
-            "mapping/occupancy/resolution_m": -1.0, "queue_size": "many"})
-        said = ""
-        for line in process.stdout:
-            said += line
-            if "queue_size" in line:
-                break
-        self.assertIn("does not start", said)
-        self.assertIn("~mapping/occupancy/resolution_m is '-1", said)
-        self.said_until_the_end(process)
+    def test_values_that_are_not_allowed_are_all_named_and_end_the_node(self):
+        wrong = {"mapping": {"mapping/occupancy/resolution_m": -1.0, "queue_size": "many"},
+                 "scene_graph": {"mapping/occupancy/resolution_m": -1.0},
+                 "semantics": {"max_iou": 5.0}}
+        for node, parameters in wrong.items():
+            process = self.start(node, "impossible_" + node, parameters)
+            said = process.communicate(timeout=30)[0]
+            self.assertNotEqual(process.returncode, 0, said)
+            self.assertIn("does not start", said)
+            for name in parameters:
+                self.assertIn("~" + name, said)
 
 
 if __name__ == "__main__":
