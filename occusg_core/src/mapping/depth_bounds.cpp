@@ -10,8 +10,8 @@ namespace {
 constexpr float kSteps = 32000.0F;
 constexpr float kSmallestDepth = 1e-6F;
 
-constexpr auto smaller = [](std::int16_t a, std::int16_t b) { return std::min(a, b); };
-constexpr auto larger = [](std::int16_t a, std::int16_t b) { return std::max(a, b); };
+constexpr auto smaller = [](auto a, auto b) { return std::min(a, b); };
+constexpr auto larger = [](auto a, auto b) { return std::max(a, b); };
 
 constexpr int kLargestSide = 64;
 
@@ -64,53 +64,83 @@ void combine(const std::vector<std::int16_t>& halves, std::vector<std::int16_t>&
   }
 }
 
+/// Of a number of pixels along a side.
+int cellsOver(int pixels) { return (pixels + 1) / 2; }
+
+PixelBox cellsOf(const PixelBox& pixels) {
+  return {pixels.left / 2, pixels.right / 2, pixels.top / 2, pixels.bottom / 2};
+}
+
 }  // namespace
 
 void DepthBounds::build(const std::vector<float>& depth, int width, int height, Workers& workers) {
   width_ = width;
-  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  height_ = height;
+  const int columns = cellsOver(width);
+  const int rows = cellsOver(height);
+  const auto count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   for (std::size_t level = 0; level < kLevels; ++level) {
     nearest_[level].resize(count);
     farthest_[level].resize(count);
   }
-  const Eigen::Map<const Eigen::ArrayXf> depths(depth.data(), static_cast<Eigen::Index>(count));
+  const Eigen::Map<const Eigen::ArrayXf> depths(depth.data(),
+                                                static_cast<Eigen::Index>(width) * height);
   largest_ = count == 0 ? 0.0F : depths.maxCoeff();
   unit_ = std::max(largest_, kSmallestDepth) / kSteps;
+  const float steps = 1.0F / unit_;
   workers.run(2, [&](int table) {
-    table == 0 ? quantizeNearest(depth) : quantizeFarthest(depth);
+    if (table == 0) {
+      // Rounding of the product is below half a step.
+      reduce(
+          depth, smaller, [steps](float value) { return std::max(value * steps - 0.5F, 0.0F); },
+          nearest_[0]);
+    } else {
+      reduce(
+          depth, larger,
+          [steps](float value) { return value * steps + (value > 0.0F ? 1.5F : 0.0F); },
+          farthest_[0]);
+    }
     for (std::size_t level = 1; level < kLevels; ++level) {
       if (table == 0) {
-        combine(nearest_[level - 1], nearest_[level], level, width, height, smaller);
+        combine(nearest_[level - 1], nearest_[level], level, columns, rows, smaller);
       } else {
-        combine(farthest_[level - 1], farthest_[level], level, width, height, larger);
+        combine(farthest_[level - 1], farthest_[level], level, columns, rows, larger);
       }
     }
   });
 }
 
-void DepthBounds::quantizeNearest(const std::vector<float>& depth) {
-  const float steps = 1.0F / unit_;
-  std::int16_t* nearest = nearest_[0].data();
-  // Rounding of the product is below half a step.
-  for (std::size_t i = 0; i < nearest_[0].size(); ++i)
-    nearest[i] = static_cast<std::int16_t>(std::max(depth[i] * steps - 0.5F, 0.0F));
-}
-
-void DepthBounds::quantizeFarthest(const std::vector<float>& depth) {
-  const float steps = 1.0F / unit_;
-  std::int16_t* farthest = farthest_[0].data();
-  for (std::size_t i = 0; i < farthest_[0].size(); ++i)
-    farthest[i] = static_cast<std::int16_t>(depth[i] * steps + (depth[i] > 0.0F ? 1.5F : 0.0F));
+/// The best depth of each cell, rounded outwards.
+template <typename Better, typename Quantize>
+void DepthBounds::reduce(const std::vector<float>& depth, Better better, Quantize quantize,
+                         Table& cells) const {
+  const int columns = cellsOver(width_);
+  const int whole = width_ / 2;
+  for (int row = 0; row < cellsOver(height_); ++row) {
+    const float* above = depth.data() + static_cast<std::ptrdiff_t>(2 * row) * width_;
+    const float* below = 2 * row + 1 < height_ ? above + width_ : above;
+    std::int16_t* cell = cells.data() + static_cast<std::ptrdiff_t>(row) * columns;
+    for (int i = 0; i < whole; ++i) {
+      cell[i] = static_cast<std::int16_t>(quantize(
+          better(better(above[2 * i], above[2 * i + 1]), better(below[2 * i], below[2 * i + 1]))));
+    }
+    if (whole < columns)
+      cell[whole] = static_cast<std::int16_t>(quantize(better(above[2 * whole], below[2 * whole])));
+  }
 }
 
 float DepthBounds::nearest(const PixelBox& box) const {
-  const std::size_t level = levelFor(box, kLevels);
-  return unit_ * static_cast<float>(bestOver(nearest_[level].data(), box, level, width_, smaller));
+  const PixelBox cells = cellsOf(box);
+  const std::size_t level = levelFor(cells, kLevels);
+  return unit_ * static_cast<float>(
+                     bestOver(nearest_[level].data(), cells, level, cellsOver(width_), smaller));
 }
 
 float DepthBounds::farthest(const PixelBox& box) const {
-  const std::size_t level = levelFor(box, kLevels);
-  return unit_ * static_cast<float>(bestOver(farthest_[level].data(), box, level, width_, larger));
+  const PixelBox cells = cellsOf(box);
+  const std::size_t level = levelFor(cells, kLevels);
+  return unit_ * static_cast<float>(
+                     bestOver(farthest_[level].data(), cells, level, cellsOver(width_), larger));
 }
 
 }  // namespace occusg

@@ -21,8 +21,9 @@ struct PixelBox {
 };
 
 /// Smallest and largest depth over any box of pixels, in a few look-ups (a sparse table: the
-/// extremes over the 2^k x 2^k pixels from each pixel on). Depths are held in 16 bits, rounded
-/// outwards: bounds are never too narrow and at most 1/32000 of the frame's largest depth too wide.
+/// extremes over the 2^k x 2^k cells from each cell on, a cell being 2 x 2 pixels: so the tables
+/// fit into the cache). Bounds are never too narrow: a box grows to whole cells, and depths are
+/// held in 16 bits, rounded outwards by at most 1/32000 of the frame's largest depth.
 class DepthBounds {
  public:
   /// @param depth row-major, width * height, not negative; 0 where there is none.
@@ -35,12 +36,14 @@ class DepthBounds {
 
  private:
   using Table = std::vector<std::int16_t>;
-  static constexpr std::size_t kLevels = 6;
+  static constexpr std::size_t kLevels = 5;
 
-  void quantizeNearest(const std::vector<float>& depth);
-  void quantizeFarthest(const std::vector<float>& depth);
+  template <typename Better, typename Quantize>
+  void reduce(const std::vector<float>& depth, Better better, Quantize quantize,
+              Table& cells) const;
 
-  int width_ = 0;
+  int width_ = 0;  ///< [pixels]
+  int height_ = 0;
   float largest_ = 0.0F;
   float unit_ = 1.0F;  ///< Depth of one step.
   std::array<Table, kLevels> nearest_;
