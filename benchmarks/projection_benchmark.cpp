@@ -21,7 +21,9 @@ constexpr double kDrive_m = 5.2;  ///< From the middle of the first room to that
 constexpr int kFrames = 100;
 
 OccupancyMap mapOf(const GeneratedBuilding& building, int unexplored_rooms) {
-  OccupancyMap map{OccupancyMapConfig{}};
+  OccupancyMapConfig config;
+  config.max_memory_mb = 1e6;  // 100 000 m2 take more than a robot would give the map
+  OccupancyMap map{config};
   explore(building, unexplored_rooms, map);
   return map;
 }
