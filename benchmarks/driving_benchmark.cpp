@@ -70,7 +70,9 @@ void run(int frames, double area_m2) {
   const GeneratedBuilding building = buildingOf(area_m2);
   const double length_m = lengthOf(building);
   const std::vector<CameraPlace> places = drive(building, 0, length_m, length_m / frames);
-  OccupancyMap map{OccupancyMapConfig{}};
+  OccupancyMapConfig config;
+  config.max_memory_mb = 1e6;  // the whole building, whatever it takes
+  OccupancyMap map{config};
   FreeSpaceLayer layer({}, GridFrame{0.05});
   std::vector<Part> parts;
   std::cout << std::fixed << std::setprecision(3)
