@@ -39,8 +39,10 @@ bool isSeenThrough(const octomap::OcTree& map, const Eigen::AlignedBox3d& box) {
   for (int layer = 0; layer < steps[2]; ++layer) {
     const int occupied_below = occupied;
     for (int i = 0; i < points_of_layer; ++i) {
+      const int column = i % steps[0];
+      const int row = i / steps[0];
       // The last layer is the very top of the box.
-      const Eigen::Vector3d share((i % steps[0] + 0.5) / steps[0], (i / steps[0] + 0.5) / steps[1],
+      const Eigen::Vector3d share((column + 0.5) / steps[0], (row + 0.5) / steps[1],
                                   (layer + 1.0) / steps[2]);
       const Eigen::Vector3d at = inside.min() + size.cwiseProduct(share);
       const octomap::OcTreeNode* const voxel = map.search(at.x(), at.y(), at.z());

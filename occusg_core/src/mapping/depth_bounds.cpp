@@ -115,12 +115,12 @@ template <typename Better, typename Quantize>
 void DepthBounds::reduce(const std::vector<float>& depth, Better better, Quantize quantize,
                          Table& cells) const {
   const int columns = cellsOver(width_);
-  const int whole = width_ / 2;
+  const std::ptrdiff_t whole = width_ / 2;
   for (int row = 0; row < cellsOver(height_); ++row) {
     const float* above = depth.data() + static_cast<std::ptrdiff_t>(2 * row) * width_;
     const float* below = 2 * row + 1 < height_ ? above + width_ : above;
     std::int16_t* cell = cells.data() + static_cast<std::ptrdiff_t>(row) * columns;
-    for (int i = 0; i < whole; ++i) {
+    for (std::ptrdiff_t i = 0; i < whole; ++i) {
       cell[i] = static_cast<std::int16_t>(quantize(
           better(better(above[2 * i], above[2 * i + 1]), better(below[2 * i], below[2 * i + 1]))));
     }
