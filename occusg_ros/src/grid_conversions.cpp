@@ -142,17 +142,23 @@ FreeSpace sampledAtCells(const nav_msgs::OccupancyGrid& grid, const Placement& p
 
 }  // namespace
 
+nav_msgs::MapMetaData toGridInfo(const FreeSpace& layer, const std_msgs::Header& header) {
+  nav_msgs::MapMetaData info;
+  info.map_load_time = header.stamp;
+  info.resolution = static_cast<float>(layer.frame.resolution_m);
+  info.width = static_cast<std::uint32_t>(layer.cells.box().width());
+  info.height = static_cast<std::uint32_t>(layer.cells.box().height());
+  const Point2 corner = layer.frame.corner(layer.cells.box().min);
+  info.origin.position.x = corner.x;
+  info.origin.position.y = corner.y;
+  info.origin.orientation.w = 1.0;
+  return info;
+}
+
 nav_msgs::OccupancyGrid toGridMsg(const FreeSpace& layer, const std_msgs::Header& header) {
   nav_msgs::OccupancyGrid grid;
   grid.header = header;
-  grid.info.map_load_time = header.stamp;
-  grid.info.resolution = static_cast<float>(layer.frame.resolution_m);
-  grid.info.width = static_cast<std::uint32_t>(layer.cells.box().width());
-  grid.info.height = static_cast<std::uint32_t>(layer.cells.box().height());
-  const Point2 corner = layer.frame.corner(layer.cells.box().min);
-  grid.info.origin.position.x = corner.x;
-  grid.info.origin.position.y = corner.y;
-  grid.info.origin.orientation.w = 1.0;
+  grid.info = toGridInfo(layer, header);
   grid.data.assign(layer.cells.values().begin(), layer.cells.values().end());
   return grid;
 }

@@ -15,6 +15,7 @@
 
 #include "occusg/error.hpp"
 #include "occusg/pipeline/config_file.hpp"
+#include "occusg_ros/gap_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
@@ -74,6 +75,7 @@ MappingNode::~MappingNode() {
 
 void MappingNode::advertise() {
   layer_publisher_ = handles_.inputs.advertise<nav_msgs::OccupancyGrid>("free_space", 1, true);
+  gaps_publisher_ = handles_.inputs.advertise<occusg::OverheadGaps>("overhead_gaps", 1, true);
   voxel_publisher_ = handles_.inputs.advertise<sensor_msgs::PointCloud2>("occupied_voxels", 1);
 #ifdef OCCUSG_HAVE_OCTOMAP_MSGS
   octomap_publisher_ = handles_.inputs.advertise<octomap_msgs::Octomap>("octomap", 1);
@@ -335,10 +337,16 @@ bool MappingNode::reachedMap(const occusg::MapCounts& before) {
 }
 
 void MappingNode::publishLayer(const std_msgs::Header& header, double logical_s) {
-  layer_publisher_.publish(
-      boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(map_->freeSpace(), header)));
+  sendLayer(header);
   last_layer_s_ = logical_s;
   unpublished_.reset();
+}
+
+// What hangs over the layer goes first, so that who takes both need not wait.
+void MappingNode::sendLayer(const std_msgs::Header& header) {
+  const occusg::FreeSpace& layer = map_->freeSpace();
+  gaps_publisher_.publish(boost::make_shared<occusg::OverheadGaps>(toGapsMsg(layer, header)));
+  layer_publisher_.publish(boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(layer, header)));
 }
 
 // The layer follows logical time; the rest of a drive that has ended must not stay behind.

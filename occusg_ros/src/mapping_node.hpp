@@ -83,6 +83,7 @@ class MappingNode {
   /// Whether the frame just processed changed the map; says why when it did not.
   [[nodiscard]] bool reachedMap(const occusg::MapCounts& before);
   void publishLayer(const std_msgs::Header& header, double logical_s);
+  void sendLayer(const std_msgs::Header& header);
   void publishVoxels(const std_msgs::Header& header);
   void publishLastLayer();
   void noteStatus(double lag_s);
@@ -142,6 +143,7 @@ class MappingNode {
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   ros::Publisher layer_publisher_;
+  ros::Publisher gaps_publisher_;
   ros::Publisher voxel_publisher_;
   ros::Publisher octomap_publisher_;
   ros::Publisher config_publisher_;

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nav_msgs/OccupancyGrid.h>
-
-#include <boost/make_shared.hpp>
 #include <chrono>
 #include <exception>
 #include <filesystem>
@@ -13,7 +10,6 @@
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
-#include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
@@ -45,8 +41,7 @@ void MappingNode::showNewMap() {
   std_msgs::Header header;
   header.stamp = ros::Time::now();
   header.frame_id = settings_.map_frame;
-  layer_publisher_.publish(
-      boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(map_->freeSpace(), header)));
+  sendLayer(header);
 }
 
 std::string MappingNode::folderOf(const std::string& name) const {

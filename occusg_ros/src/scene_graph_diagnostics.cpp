@@ -43,6 +43,7 @@ void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& statu
   }
   status.add("maps received", counts.received);
   status.add("maps used", counts.used);
+  status.add("maps used without their overhead gaps", graph.maps_without_gaps);
   status.add("age of the last used map [s]",
              counts.used > 0 ? steadySeconds() - counts.last_used_s : -1.0);
   for (const Drop drop : {Drop::kImage, Drop::kOverload, Drop::kMap, Drop::kPaused})

@@ -10,6 +10,7 @@
 
 #include "occusg/error.hpp"
 #include "occusg/pipeline/config_file.hpp"
+#include "occusg_ros/gap_conversions.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/pose_conversions.hpp"
@@ -57,6 +58,7 @@ SceneGraphNode::~SceneGraphNode() {
   health_timer_.stop();
   tick_timer_.stop();
   grid_subscriber_.shutdown();
+  gaps_subscriber_.shutdown();
   odometry_subscriber_.shutdown();
   detections_subscriber_.shutdown();
   for (ros::ServiceServer& service : services_) service.shutdown();
@@ -97,6 +99,7 @@ void SceneGraphNode::advertiseTopics() {
 
 void SceneGraphNode::subscribe() {
   ros::NodeHandle& nh = handles_.inputs;
+  gaps_subscriber_ = nh.subscribe("overhead_gaps", kQueue, &SceneGraphNode::onGaps, this);
   grid_subscriber_ = nh.subscribe("free_space", kQueue, &SceneGraphNode::onGrid, this);
   detections_subscriber_ = nh.subscribe("detections", kQueue, &SceneGraphNode::onDetections, this);
   if (settings_.pose_source == PoseSource::kOdometry)
@@ -125,8 +128,16 @@ void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_) health_.noteDropped(Drop::kOverload, "");
-    waiting_ = WaitingGrid{grid, steadySeconds()};
+    if (waiting_.takeGrid(grid, steadySeconds())) health_.noteDropped(Drop::kOverload, "");
+  }
+  worker_->wake();
+}
+
+void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
+  if (paused_) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.takeGaps(gaps, steadySeconds());
   }
   worker_->wake();
 }
@@ -197,20 +208,17 @@ void SceneGraphNode::tick() {
 
 Worker::Progress SceneGraphNode::step() {
   saveFromTimeToTime();
-  std::optional<WaitingGrid> waiting;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    waiting = waiting_;
-  }
+  const std::optional<WaitingMap::Map> waiting = nextMap();
   if (!waiting) return Worker::Progress::kIdle;
   const std::optional<occusg::Pose> pose = poseFor(*waiting);
   if (!pose) return Worker::Progress::kIdle;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_ && waiting_->grid == waiting->grid) waiting_.reset();
+    waiting_.noteUsed(*waiting);
+    if (!waiting->gaps && gaps_subscriber_.getNumPublishers() > 0) ++status_.maps_without_gaps;
   }
   try {
-    update(*waiting->grid, *pose);
+    update(*waiting, *pose);
     health_.noteUsed();
   } catch (const std::exception& error) {
     health_.noteDropped(Drop::kMap, error.what());
@@ -218,6 +226,15 @@ Worker::Progress SceneGraphNode::step() {
       ROS_WARN_STREAM(handles_.name << ": map not used: " << error.what());
   }
   return Worker::Progress::kWorked;
+}
+
+std::optional<WaitingMap::Map> SceneGraphNode::nextMap() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  // The first map comes after all is subscribed to; this thread was there before.
+  if (waiting_.empty()) return std::nullopt;
+  const GapsPublished published =
+      gaps_subscriber_.getNumPublishers() > 0 ? GapsPublished::kYes : GapsPublished::kNo;
+  return waiting_.ready(published, steadySeconds());
 }
 
 PoseAnswer SceneGraphNode::robotPose(const ros::Time& stamp) const {
@@ -250,7 +267,7 @@ PoseAnswer SceneGraphNode::robotPose(const ros::Time& stamp) const {
 
 // The pose at the time of the map; after the timeout, or when the map is older than tf remembers,
 // as a finished map is, the newest pose there is.
-std::optional<occusg::Pose> SceneGraphNode::poseFor(const WaitingGrid& waiting) {
+std::optional<occusg::Pose> SceneGraphNode::poseFor(const WaitingMap::Map& waiting) {
   PoseAnswer answer = robotPose(waiting.grid->header.stamp);
   const bool may_come = answer.kind == PoseAnswer::Kind::kNotYet &&
                         steadySeconds() - waiting.arrived_s < settings_.tf_timeout_s;
@@ -261,16 +278,17 @@ std::optional<occusg::Pose> SceneGraphNode::poseFor(const WaitingGrid& waiting) 
   return std::nullopt;
 }
 
-void SceneGraphNode::update(const nav_msgs::OccupancyGrid& grid, const occusg::Pose& pose) {
-  occusg::FreeSpace layer = toFreeSpace(grid, grid_subscriber_.getTopic());
+void SceneGraphNode::update(const WaitingMap::Map& map, const occusg::Pose& pose) {
+  occusg::FreeSpace layer = toFreeSpace(*map.grid, grid_subscriber_.getTopic());
+  if (map.gaps) addGaps(*map.gaps, gaps_subscriber_.getTopic(), layer);
   const bool is_comparable = layer.frame.resolution_m == layer_.frame.resolution_m;
   const occusg::CellBox changed = is_comparable ? differingCells(layer_, layer)
                                                 : layer.cells.box().including(layer_.cells.box());
   layer.changed = changed;
   layer_ = std::move(layer);
   last_pose_ = pose;
-  rooms_->update(layer_, changed, pose, timeline_.at(grid.header.stamp.toSec()));
-  publish(grid.header);
+  rooms_->update(layer_, changed, pose, timeline_.at(map.grid->header.stamp.toSec()));
+  publish(map.grid->header);
   noteStatus();
 }
 

@@ -11,6 +11,7 @@
 #include <occusg/GetSceneGraph.h>
 #include <occusg/ListRooms.h>
 #include <occusg/LoadMap.h>
+#include <occusg/OverheadGaps.h>
 #include <occusg/SaveMap.h>
 #include <occusg/SceneGraphLiveConfig.h>
 #include <occusg/SceneGraphStamped.h>
@@ -38,6 +39,7 @@
 #include "occusg_ros/saver.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
+#include "occusg_ros/waiting_map.hpp"
 #include "occusg_ros/worker.hpp"
 #include "scene_graph_settings.hpp"
 
@@ -58,14 +60,11 @@ class SceneGraphNode {
   ~SceneGraphNode();
 
  private:
-  struct WaitingGrid {
-    nav_msgs::OccupancyGridConstPtr grid;
-    double arrived_s = 0.0;  ///< Steady clock [s].
-  };
   /// What the diagnostics show; a copy, so that they wait for no update.
   struct Status {
     occusg::RoomCounts counts;
     std::vector<std::pair<std::string, occusg::StageSummary>> times;
+    std::size_t maps_without_gaps = 0;  ///< Used so, though somebody publishes gaps.
     std::size_t rooms = 0;
     std::size_t nodes = 0;
     std::size_t edges = 0;
@@ -78,6 +77,7 @@ class SceneGraphNode {
   void subscribe();
 
   void onGrid(const nav_msgs::OccupancyGridConstPtr& grid);
+  void onGaps(const occusg::OverheadGapsConstPtr& gaps);
   void onOdometry(const nav_msgs::OdometryConstPtr& odometry);
   void onDetections(const occusg::DetectionArrayConstPtr& detections);
   void onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint32_t level);
@@ -88,9 +88,10 @@ class SceneGraphNode {
 
   // On the worker's thread.
   Worker::Progress step();
+  [[nodiscard]] std::optional<WaitingMap::Map> nextMap() const;
   [[nodiscard]] PoseAnswer robotPose(const ros::Time& stamp) const;
-  [[nodiscard]] std::optional<occusg::Pose> poseFor(const WaitingGrid& waiting);
-  void update(const nav_msgs::OccupancyGrid& grid, const occusg::Pose& pose);
+  [[nodiscard]] std::optional<occusg::Pose> poseFor(const WaitingMap::Map& waiting);
+  void update(const WaitingMap::Map& map, const occusg::Pose& pose);
   void followRobot();
   void publish(const std_msgs::Header& header);
   void publishMarkers(const std_msgs::Header& header);
@@ -139,7 +140,7 @@ class SceneGraphNode {
   Throttle detection_warnings_{kWarningPeriod_s};
 
   mutable std::mutex mutex_;  ///< Of the members up to `status_`.
-  std::optional<WaitingGrid> waiting_;
+  WaitingMap waiting_;
   nav_msgs::OdometryConstPtr odometry_;
   std::string pose_problem_;
   GraphPtr last_graph_;
@@ -176,6 +177,7 @@ class SceneGraphNode {
   std::unique_ptr<dynamic_reconfigure::Server<occusg::SceneGraphLiveConfig>> reconfigure_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber grid_subscriber_;
+  ros::Subscriber gaps_subscriber_;
   ros::Subscriber odometry_subscriber_;
   ros::Subscriber detections_subscriber_;
   ros::WallTimer tick_timer_;

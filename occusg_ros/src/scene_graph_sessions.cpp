@@ -140,7 +140,7 @@ bool SceneGraphNode::onLoad(occusg::LoadMap::Request& request,
                             occusg::LoadMap::Response& response) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    waiting_.reset();
+    waiting_.clear();
   }
   std::string problem = onWorker([this, name = request.name] { load(name); });
   if (problem.empty()) problem = askMapping<occusg::LoadMap>("load", request);
@@ -156,7 +156,7 @@ bool SceneGraphNode::onReset(std_srvs::Trigger::Request& request,
   if (problem.empty()) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      waiting_.reset();
+      waiting_.clear();
     }
     problem = onWorker([this] { resetGraph(); });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nav_msgs/MapMetaData.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <octomap/OcTree.h>
 #include <sensor_msgs/Image.h>
@@ -16,6 +17,10 @@
 #include "occusg/regions/region.hpp"
 
 namespace occusg_ros {
+
+/// Where the cells of `layer` lie; loaded at the header's stamp.
+[[nodiscard]] nav_msgs::MapMetaData toGridInfo(const occusg::FreeSpace& layer,
+                                               const std_msgs::Header& header);
 
 [[nodiscard]] nav_msgs::OccupancyGrid toGridMsg(const occusg::FreeSpace& layer,
                                                 const std_msgs::Header& header);

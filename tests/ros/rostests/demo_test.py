@@ -60,14 +60,6 @@ def rings_of(polygon):
     return [[(p.x, p.y) for p in ring.points] for ring in [polygon.outer] + polygon.holes]
 
 
-def without_lintels():
-    """A configuration file: an OccupancyGrid does not tell what hangs over the floor."""
-    path = os.path.join(tempfile.mkdtemp(prefix="occusg_demo_test_"), "without_lintels.yaml")
-    with open(path, "w") as file:
-        file.write("regions.constriction.highest_lintel_m: 0\n")
-    return path
-
-
 def later_recording(sequence, seconds, frames=20):
     """The first frames of a recording, so many seconds later."""
     folder = tempfile.mkdtemp(prefix="occusg_later_")
@@ -122,10 +114,9 @@ class DemoTest(unittest.TestCase):
                 cls.shown[marker.ns, marker.id] = marker
 
     def reference(self):
-        """What `occusg run` finds in the same recording without its lintels."""
+        """What `occusg run` finds in the same recording."""
         out = tempfile.mkdtemp(prefix="occusg_demo_test_")
-        subprocess.run([rospy.get_param("~command"), "run", rospy.get_param("~sequence"), "-o", out,
-                        "--config", without_lintels()],
+        subprocess.run([rospy.get_param("~command"), "run", rospy.get_param("~sequence"), "-o", out],
                        check=True, stdout=subprocess.DEVNULL)
         with open(out + "/rooms.json") as file:
             return json.load(file)
@@ -151,7 +142,7 @@ class DemoTest(unittest.TestCase):
         later = later_recording(rospy.get_param("~sequence"), LAST_STAMP_S + HOLD_S + 1.0)
         out = tempfile.mkdtemp(prefix="occusg_demo_test_")
         command = [rospy.get_param("~command"), "run", later, "-o", out,
-                   "--config", without_lintels(), "--resume", answer.folder + "/session"]
+                   "--resume", answer.folder + "/session"]
         alone = subprocess.run(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL,
                                universal_newlines=True)
         self.assertEqual(alone.returncode, 1)
