@@ -12,6 +12,7 @@ constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 }  // namespace
 
 void MappingNode::checkHealth() {
+  const CallbackTimes::Timing timing(callbacks_, "health");
   diagnostics_.force_update();
   if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
     ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
@@ -54,6 +55,7 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
   }
   status.add("images received", counts.received);
   status.add("images used", counts.used);
+  status.add("camera_infos received", infos_received_.load());
   status.add("image rate [Hz]",
              static_cast<double>(counts.received) / std::max(1.0, steadySeconds() - started_s_));
   status.add("age of the last used image [s]", counts.used > 0 ? age_s : -1.0);
@@ -72,6 +74,7 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("pixels: NaN", map.counts.pixel_drops.nan);
   status.add("pixels: infinite", map.counts.pixel_drops.infinite);
   status.add("pixels: negative", map.counts.pixel_drops.negative);
+  callbacks_.describe(status);
   status.add("last save", map.last_save);
 }
 

@@ -119,6 +119,7 @@ void MappingNode::drop(Drop reason, const std::string& sentence, std::size_t cou
 }
 
 void MappingNode::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
+  const CallbackTimes::Timing timing(callbacks_, "camera_info");
   ++infos_received_;
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
@@ -131,6 +132,7 @@ void MappingNode::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
 }
 
 void MappingNode::onImage(const sensor_msgs::ImageConstPtr& image) {
+  const CallbackTimes::Timing timing(callbacks_, "depth image");
   health_.noteReceived();
   if (paused_) {
     drop(Drop::kPaused, "");
@@ -193,6 +195,7 @@ void MappingNode::onClockJump() {
 }
 
 void MappingNode::onReconfigure(occusg::MappingLiveConfig& live, std::uint32_t /*level*/) {
+  const CallbackTimes::Timing timing(callbacks_, "reconfigure");
   MappingLive changed;
   changed.tf_timeout_s = live.tf_timeout_s;
   changed.voxels_period_s = live.voxels_period_s;

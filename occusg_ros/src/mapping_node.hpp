@@ -24,6 +24,7 @@
 #include "mapping_settings.hpp"
 #include "node_handles.hpp"
 #include "occusg/pipeline/map_pipeline.hpp"
+#include "occusg_ros/callback_times.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
@@ -111,6 +112,7 @@ class MappingNode {
   occusg::PipelineConfig config_;  // before the settings: reading them fills it
   MappingSettings settings_;
   InputHealth health_;
+  CallbackTimes callbacks_;
   std::atomic<std::size_t> infos_received_{0};
   std::atomic<bool> paused_{false};
   double started_s_;

@@ -23,6 +23,7 @@
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/tf_poses.hpp"
+#include "tool_options.hpp"
 
 namespace {
 
@@ -49,24 +50,14 @@ bool parse(int argc, char** argv, Options& options) {
       "occusg_bag BAG -o OUT [options]\n\n"
       "Takes the depth images of a bag through the whole pipeline, as fast as it goes, and\n"
       "writes the files `occusg run` writes.\n\nOptions");
-  named.add_options()("help,h", "print this")("output,o", po::value(&options.output),
-                                              "folder for the results; created when missing")(
+  named.add_options()("output,o", po::value(&options.output),
+                      "folder for the results; created when missing")(
       "config", po::value(&options.config), "'default', 'paper' or a YAML file")(
       "depth", po::value(&options.depth_topic),
       "topic of the depth images; needed when the bag has several")(
       "info", po::value(&options.info_topic), "topic of their camera_info; else beside them")(
       "map-frame", po::value(&options.map_frame), "frame of the map");
-  po::options_description all;
-  all.add(named).add_options()("bag", po::value(&options.bag));
-  po::positional_options_description positional;
-  positional.add("bag", 1);
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
-  po::notify(values);
-  if (values.count("help") > 0) {
-    std::cout << named << '\n';
-    return false;
-  }
+  if (!occusg_ros::parseToolOptions(argc, argv, named, options.bag)) return false;
   if (options.bag.empty() || options.output.empty())
     throw occusg::Error("name a bag and, with -o, a folder for the results; see --help");
   return true;

@@ -15,6 +15,7 @@
 #include "occusg/error.hpp"
 #include "occusg/io/sequence_reader.hpp"
 #include "occusg_ros/sequence_messages.hpp"
+#include "tool_options.hpp"
 
 namespace {
 
@@ -53,8 +54,7 @@ bool parse(int argc, char** argv, Options& options) {
       "occusg_play SEQUENCE [options]\n\n"
       "Plays a recorded RGB-D sequence as depth/image_rect, depth/camera_info and\n"
       "rgb/image_rect_color of a camera, odom and /tf; or writes them into a bag.\n\nOptions");
-  named.add_options()("help,h", "print this")("bag", po::value(&options.bag),
-                                              "write this bag instead of playing")(
+  named.add_options()("bag", po::value(&options.bag), "write this bag instead of playing")(
       "rate", po::value(&options.rate), "so many times as fast as recorded")(
       "scale", po::value(&options.scale), "so many pixels for one, in both directions")(
       "clock", po::bool_switch(&options.clock), "publish /clock; stamps begin at 1000 s")(
@@ -66,18 +66,9 @@ bool parse(int argc, char** argv, Options& options) {
       "map-frame", po::value(&options.frames.map), "name of the map's frame")(
       "robot-frame", po::value(&options.frames.robot), "name of the robot's frame")(
       "camera-frame", po::value(&options.frames.camera), "name of the camera's optical frame");
-  po::options_description all;
-  all.add(named).add_options()("sequence", po::value(&options.sequence));
-  po::positional_options_description positional;
-  positional.add("sequence", 1);
-  po::variables_map values;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
-  po::notify(values);
-  options.with_color = values.count("no-color") == 0;
-  if (values.count("help") > 0) {
-    std::cout << named << '\n';
-    return false;
-  }
+  const auto values = occusg_ros::parseToolOptions(argc, argv, named, options.sequence);
+  if (!values) return false;
+  options.with_color = values->count("no-color") == 0;
   if (options.sequence.empty()) throw occusg::Error("occusg_play: name a sequence; see --help");
   if (!(options.rate > 0.0)) throw occusg::Error("occusg_play: --rate must be above 0");
   if (options.scale < 1 || options.scale > kMaxScale)

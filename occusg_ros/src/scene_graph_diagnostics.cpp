@@ -3,6 +3,7 @@
 
 namespace occusg_ros {
 void SceneGraphNode::checkHealth() {
+  const CallbackTimes::Timing timing(callbacks_, "health");
   diagnostics_.force_update();
   if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
     ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
@@ -61,6 +62,7 @@ void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& statu
     status.add(stage + " p95 [ms]", times.p95_ms);
     status.add(stage + " max [ms]", times.max_ms);
   }
+  callbacks_.describe(status);
   status.add("last save", graph.last_save);
 }
 

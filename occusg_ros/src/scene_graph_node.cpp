@@ -113,6 +113,7 @@ void SceneGraphNode::subscribe() {
 }
 
 void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
+  const CallbackTimes::Timing timing(callbacks_, "free space");
   health_.noteReceived();
   if (paused_) {
     health_.noteDropped(Drop::kPaused, "");
@@ -134,6 +135,7 @@ void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
 }
 
 void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
+  const CallbackTimes::Timing timing(callbacks_, "overhead gaps");
   if (paused_) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -143,11 +145,13 @@ void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
 }
 
 void SceneGraphNode::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
+  const CallbackTimes::Timing timing(callbacks_, "odometry");
   const std::lock_guard<std::mutex> lock(mutex_);
   odometry_ = odometry;
 }
 
 void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detections) {
+  const CallbackTimes::Timing timing(callbacks_, "detections");
   ReceivedDetections received = toDetections(*detections);
   const std::string& frame = detections->header.frame_id;
   if (frame != settings_.map_frame) {
@@ -177,6 +181,7 @@ void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detectio
 }
 
 void SceneGraphNode::onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint32_t /*level*/) {
+  const CallbackTimes::Timing timing(callbacks_, "reconfigure");
   MarkerLayout layout;
   layout.room_height_m = live.room_height_m;
   layout.object_height_m = live.object_height_m;
@@ -193,12 +198,14 @@ void SceneGraphNode::onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint
 }
 
 void SceneGraphNode::onMarkerSubscriber(const ros::SingleSubscriberPublisher& subscriber) {
+  const CallbackTimes::Timing timing(callbacks_, "new subscriber");
   // Under the lock, so that no change overtakes the whole.
   const std::lock_guard<std::mutex> lock(markers_mutex_);
   if (!shown_.empty()) subscriber.publish(allMarkers(shown_));
 }
 
 void SceneGraphNode::tick() {
+  const CallbackTimes::Timing timing(callbacks_, "tick");
   if (paused_ || tick_is_posted_.exchange(true)) return;
   worker_->post([this] {
     tick_is_posted_ = false;

@@ -33,6 +33,7 @@
 
 #include "node_handles.hpp"
 #include "occusg/pipeline/room_pipeline.hpp"
+#include "occusg_ros/callback_times.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/ros_timeline.hpp"
@@ -131,6 +132,7 @@ class SceneGraphNode {
   occusg::PipelineConfig config_;  // before the settings: reading them fills it
   SceneGraphSettings settings_;
   InputHealth health_;
+  CallbackTimes callbacks_;
   std::atomic<bool> paused_{false};
   std::atomic<bool> tick_is_posted_{false};
   double started_s_;

@@ -22,33 +22,27 @@ namespace {
 constexpr std::chrono::milliseconds kPoll{10};
 constexpr std::uint32_t kQueue = 10;
 
-SemanticsSettings settingsFrom(const NodeHandles& handles) {
+SemanticsSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
   SemanticsSettings settings;
-  using occusg::numberParameter;
-  (void)readParameters(
+  config = readParameters(
       handles.parameters,
       {textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
        textParameter(settings.model, {"model", "", "ONNX file of a YOLO segmentation model."}),
        textParameter(settings.classes, {"classes", "", "Names of its classes, one a line."}),
-       numberParameter(settings.min_confidence, {0.01, 1.0},
-                       {"min_confidence", "", "Instances of a lower score are left out."}),
-       numberParameter(settings.max_iou, {0.0, 1.0},
-                       {"max_iou", "", "Of overlapping boxes of a class the better stays."}),
-       numberParameter(settings.tf_timeout_s, {0.0, 60.0},
-                       {"tf_timeout_s", "s", "How long images wait for their transform."})});
+       occusg::numberParameter(
+           settings.tf_timeout_s, {0.0, 60.0},
+           {"tf_timeout_s", "s", "How long images wait for their transform."})});
   return settings;
 }
 
-std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings& settings) {
+std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings& settings,
+                                                        occusg::OnnxSegmenterConfig config) {
   if (settings.model.empty()) {
     throw occusg::refuse("~model", "it names no file",
                          "give an ONNX file of a YOLO segmentation model");
   }
-  occusg::OnnxSegmenterConfig config;
   config.model_path = settings.model;
   config.class_names = occusg::readClassNames(settings.classes);
-  config.min_confidence = settings.min_confidence;
-  config.max_iou = settings.max_iou;
   return std::make_unique<occusg::OnnxSegmenter>(config);
 }
 
@@ -56,11 +50,11 @@ std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings&
 
 SemanticsNode::SemanticsNode(const NodeHandles& handles)
     : handles_(handles),
-      settings_(settingsFrom(handles)),
+      settings_(settingsFrom(handles, config_)),
       started_s_(steadySeconds()),
       waiting_(kQueue),
-      segmenter_(segmenterFor(settings_)),
-      builder_(settings_.builder),
+      segmenter_(segmenterFor(settings_, config_.segmenter)),
+      builder_(config_.detection),
       tf_listener_(tf_),
       publisher_(handles_.inputs.advertise<occusg::DetectionArray>("detections", kQueue)),
       worker_(std::make_unique<Worker>(kPoll, [this] { return step(); })),
@@ -97,6 +91,7 @@ void SemanticsNode::drop(Drop reason, const std::string& sentence, std::size_t c
 void SemanticsNode::onViews(const sensor_msgs::ImageConstPtr& color,
                             const sensor_msgs::ImageConstPtr& depth,
                             const sensor_msgs::CameraInfoConstPtr& info) {
+  const CallbackTimes::Timing timing(callbacks_, "images");
   health_.noteReceived();
   std::optional<Views> pushed_out;
   {
@@ -176,6 +171,7 @@ void SemanticsNode::process(const Views& views, const occusg::Pose& T_map_camera
 }
 
 void SemanticsNode::checkHealth() {
+  const CallbackTimes::Timing timing(callbacks_, "health");
   diagnostics_.force_update();
   const InputHealth::Counts counts = health_.counts();
   if (counts.used > 0) return;
@@ -213,6 +209,7 @@ void SemanticsNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status
   for (const Drop reason : {Drop::kImage, Drop::kNoTransform, Drop::kOverload})
     status.add("dropped: " + nameOf(reason), counts.of(reason));
   status.add("last problem", counts.last_problem);
+  callbacks_.describe(status);
   status.add("time p50 [ms]", times.p50_ms);
   status.add("time p95 [ms]", times.p95_ms);
   status.add("time max [ms]", times.max_ms);

@@ -18,7 +18,9 @@
 #include "node_handles.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/perception/instance_segmenter.hpp"
+#include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/stage_times.hpp"
+#include "occusg_ros/callback_times.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/tf_poses.hpp"
@@ -32,10 +34,7 @@ struct SemanticsSettings {
   std::string map_frame = "map";
   std::string model;
   std::string classes;
-  double min_confidence = 0.70;
-  double max_iou = 0.45;
   double tf_timeout_s = 0.5;
-  occusg::DetectionBuilderConfig builder;
 };
 
 /// Colour and registered depth images -> detections placed in the map. The newest pair goes next:
@@ -74,11 +73,13 @@ class SemanticsNode {
   void drop(Drop reason, const std::string& sentence, std::size_t count = 1);
 
   NodeHandles handles_;
+  occusg::PipelineConfig config_;  // before the settings: reading them fills it
   SemanticsSettings settings_;
   InputHealth health_;
   double started_s_;
   MissingInputReport missing_input_;
   Throttle warnings_{kWarningPeriod_s};
+  CallbackTimes callbacks_;
 
   std::mutex mutex_;  ///< Of the members up to `detections_`.
   PendingFrames<Views> waiting_;

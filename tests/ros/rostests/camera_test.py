@@ -93,17 +93,21 @@ class CameraTest(unittest.TestCase):
             return 6
         self.refused("bad_image", send)
 
+    def announce(self, info):
+        """Sends a camera_info, and waits until it counts."""
+        received = self.diagnostics.count("camera_infos received")
+        self.robot.info_publisher.publish(info)
+        self.diagnostics.wait_for("camera_infos received", received + 1)
+
     def test_failure_mode_03_bad_intrinsics_stop_mapping_until_the_next_good_ones(self):
         def send():
-            self.robot.info_publisher.publish(camera_info(focal=0.0))
-            time.sleep(0.3)
+            self.announce(camera_info(focal=0.0))
             self.robot.send_frame(self.step(), metres=1.0)
             return 1
         self.refused("no_camera_info", send)
 
         def send_of_another_size():
-            self.robot.info_publisher.publish(camera_info(width=100, height=100))
-            time.sleep(0.3)
+            self.announce(camera_info(width=100, height=100))
             self.robot.send_frame(self.step(), metres=1.0)
             return 1
         self.refused("refused_by_map", send_of_another_size)
@@ -148,9 +152,8 @@ class CameraTest(unittest.TestCase):
         type(self).now -= 60.0
         # As a bag does that begins again: the clock comes first, then the transforms.
         self.robot.set_clock(self.step())
-        time.sleep(0.3)
+        wait_until(lambda: self.diagnostics.stamp_s <= self.now, 20, "mapping's clock is back")
         self.robot.send_pose(self.step())
-        time.sleep(0.3)
         self.drive(3)
         after, _ = self.settled()
         self.assertGreaterEqual(after.width * after.height, info.width * info.height)

@@ -10,8 +10,8 @@ import rostest
 from geometry_msgs.msg import PointStamped
 from nav_msgs.msg import OccupancyGrid
 from nodelet.srv import NodeletList, NodeletUnload
-from occusg.msg import (CurrentRoom, DetectionArray, DetectionInfo, RoomArray, SceneGraphStamped,
-                        SceneGraphUpdate)
+from occusg.msg import (CurrentRoom, DetectionArray, DetectionInfo, RegionArray, RoomArray,
+                        SceneGraphStamped, SceneGraphUpdate)
 from occusg.srv import (GetPath, GetRoomAt, GetSceneGraph, ListRooms, SaveMap, SegmentMap,
                         SetRoomLabel)
 from std_srvs.srv import SetBool, Trigger
@@ -29,8 +29,10 @@ class LaserTest(unittest.TestCase):
         cls.map_publisher = rospy.Publisher("/map", OccupancyGrid, queue_size=1, latch=True)
         cls.place = (1.0, 2.0)
         cls.updates = []
+        cls.regions = []
         cls.current = None
         rospy.Subscriber("/occusg/scene_graph_updates", SceneGraphUpdate, cls.updates.append)
+        rospy.Subscriber("/occusg/regions", RegionArray, cls.regions.append)
         rospy.Subscriber("/occusg/current_room", CurrentRoom, cls.take_current)
         cls.walk = rospy.Timer(rospy.Duration(0.1), lambda _: cls.robot.send_pose(
             rospy.Time.now(), *cls.place))
@@ -95,7 +97,9 @@ class LaserTest(unittest.TestCase):
         room = self.rooms()[1].id
         self.assertTrue(label(room, "kitchen").success)
         self.assertEqual(self.rooms()[1].label, "kitchen")
-        time.sleep(2.5)
+        # Maintenance, which labels rooms, publishes the regions.
+        maintained = len(self.regions)
+        wait_until(lambda: len(self.regions) >= maintained + 2, 20, "maintenance, twice")
         self.assertEqual(self.rooms()[1].label, "kitchen", "it stays")
         self.assertFalse(label(77, "kitchen").success)
         self.assertFalse(label(room, "a\nb").success)

@@ -88,7 +88,7 @@ class ParametersTest(unittest.TestCase):
     def test_values_that_are_not_allowed_are_all_named_and_end_the_node(self):
         wrong = {"mapping": {"mapping/occupancy/resolution_m": -1.0, "queue_size": "many"},
                  "scene_graph": {"mapping/occupancy/resolution_m": -1.0},
-                 "semantics": {"max_iou": 5.0}}
+                 "semantics": {"perception/model/max_iou": 5.0}}
         for node, parameters in wrong.items():
             process = self.start(node, "impossible_" + node, parameters)
             said = process.communicate(timeout=30)[0]

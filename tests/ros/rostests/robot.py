@@ -105,7 +105,6 @@ class Robot:
         for publisher in publishers:
             wait_until(lambda p=publisher: p.get_num_connections() >= connections, 30,
                        "%d listen to %s" % (connections, publisher.name))
-        time.sleep(0.5)
 
     def set_clock(self, stamp):
         self.clock_publisher.publish(Clock(clock=stamp))
@@ -131,6 +130,7 @@ class Diagnostics:
         self.name = name
         self.values = {}
         self.reports = 0
+        self.stamp_s = 0.0
         self.level = None
         self.message = ""
         self.subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self.receive)
@@ -140,6 +140,7 @@ class Diagnostics:
             if status.name.endswith(self.name):
                 self.level, self.message = status.level, status.message
                 self.values = {entry.key: entry.value for entry in status.values}
+                self.stamp_s = array.header.stamp.to_sec()
                 self.reports += 1
 
     def count(self, key):

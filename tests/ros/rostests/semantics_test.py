@@ -49,9 +49,12 @@ class SemanticsTest(unittest.TestCase):
         cls.color_publisher = rospy.Publisher("/camera/rgb/image_rect_color", Image, queue_size=10)
         cls.received = []
         rospy.Subscriber("/occusg/detections", DetectionArray, cls.received.append)
+        cls.strict = []
+        rospy.Subscriber("/occusg/strict_detections", DetectionArray, cls.strict.append)
         cls.diagnostics = Diagnostics("/semantics: semantics")
         cls.robot.wait_for_subscribers(cls.color_publisher, cls.robot.depth_publisher,
-                                       cls.robot.info_publisher, cls.robot.tf_publisher)
+                                       cls.robot.info_publisher, cls.robot.tf_publisher,
+                                       connections=2)
 
     def send(self, change=lambda color, depth, info: None, with_pose=True):
         stamp = rospy.Time.now()
@@ -81,6 +84,13 @@ class SemanticsTest(unittest.TestCase):
         self.assertAlmostEqual(lamp[0].centroid.y, -0.5, delta=0.1)
         self.assertAlmostEqual(lamp[0].centroid.z, 1.2, delta=0.1)
         self.assertLessEqual({d.class_name for d in found.detections}, {"chair", "lamp", "table"})
+
+    def test_parameters_of_the_pipeline_say_what_is_a_detection(self):
+        def has_seen():
+            self.send()
+            return bool(self.strict)
+        wait_until(has_seen, 30, "what a node finds that must be sure")
+        self.assertEqual(self.strict[0].detections, [])
 
     def counted(self, reason, *arguments, **named):
         """Sends what cannot be used until it was counted, and sees that nothing came of it."""
