@@ -14,10 +14,7 @@ constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 void MappingNode::checkHealth() {
   const CallbackTimes::Timing timing(callbacks_, "health");
   diagnostics_.force_update();
-  if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
-    ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
-                                     "with --clock");
-  }
+  clock_.warn(handles_.name);
   const InputHealth::Counts counts = health_.counts();
   if (counts.used > 0) return;
   const std::string missing =
@@ -35,9 +32,11 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
   const InputHealth::Counts counts = health_.counts();
   const double age_s = steadySeconds() - counts.last_used_s;
   Status map;
+  std::string camera_frame;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     map = status_;
+    camera_frame = camera_frame_;
   }
   const double mebibytes = static_cast<double>(map.map_bytes) / kBytesPerMebibyte;
   if (counts.received == 0) {
@@ -62,6 +61,8 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
   for (std::size_t i = 0; i < kDropCount; ++i)
     status.add("dropped: " + nameOf(static_cast<Drop>(i)), counts.dropped[i]);
   status.add("last problem", counts.last_problem);
+  status.add("tf lag [s]",
+             transformAge(tf_, settings_.map_frame, camera_frame, ros::Time::now()).value_or(-1.0));
   status.add("lag of the map [s]", map.last_lag_s);
   status.add("frame time p50 [ms]", map.frame_times.p50_ms);
   status.add("frame time p95 [ms]", map.frame_times.p95_ms);

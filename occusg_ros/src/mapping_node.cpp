@@ -31,17 +31,11 @@ constexpr double kFewValidPixels = 0.05;
 constexpr milliseconds kPoll{10};
 constexpr std::uint32_t kQueue = 10;
 
-MappingSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
-  MappingSettings settings;
-  config = readParameters(handles.parameters, parametersOf(settings));
-  return settings;
-}
-
 }  // namespace
 
 MappingNode::MappingNode(const NodeHandles& handles)
     : handles_(handles),
-      settings_(settingsFrom(handles, config_)),
+      settings_(readSettings<MappingSettings>(handles.parameters, config_)),
       started_s_(steadySeconds()),
       waiting_(static_cast<std::size_t>(settings_.queue_size)),
       live_(settings_.live),
@@ -147,6 +141,7 @@ void MappingNode::onImage(const sensor_msgs::ImageConstPtr& image) {
   StampGate::Result stamp;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    camera_frame_ = image->header.frame_id;
     stamp = stamps_.take(image->header.stamp.toSec(), ros::Time::now().toSec());
   }
   if (stamp.verdict == StampVerdict::kZero) drop(Drop::kStamp, "its stamp is zero");

@@ -21,6 +21,7 @@
 #include <optional>
 #include <string>
 
+#include "clock_check.hpp"
 #include "mapping_settings.hpp"
 #include "node_handles.hpp"
 #include "occusg/pipeline/map_pipeline.hpp"
@@ -118,7 +119,7 @@ class MappingNode {
   double started_s_;
   MissingInputReport missing_input_;
   Throttle drop_warnings_{kWarningPeriod_s};
-  Throttle clock_warnings_{kWarningPeriod_s};
+  ClockCheck clock_;
   Throttle pixel_warnings_{kWarningPeriod_s};
 
   mutable std::mutex mutex_;  ///< Of the members up to `status_`.
@@ -126,6 +127,7 @@ class MappingNode {
   StampGate stamps_;
   std::optional<occusg::CameraModel> camera_;
   std::string camera_problem_;
+  std::string camera_frame_;  ///< Of the newest image.
   std::string tf_problem_;
   MappingLive live_;
   Status status_;

@@ -5,10 +5,7 @@ namespace occusg_ros {
 void SceneGraphNode::checkHealth() {
   const CallbackTimes::Timing timing(callbacks_, "health");
   diagnostics_.force_update();
-  if (ros::Time::isSimTime() && ros::Time::now().isZero() && clock_warnings_.allows()) {
-    ROS_WARN_STREAM(handles_.name << ": use_sim_time is set but no /clock comes; start the bag "
-                                     "with --clock");
-  }
+  clock_.warn(handles_.name);
   const InputHealth::Counts counts = health_.counts();
   if (counts.used > 0) return;
   std::string problem = counts.last_problem;

@@ -26,17 +26,11 @@ constexpr std::uint32_t kQueue = 10;
 constexpr std::uint32_t kUpdateQueue = 100;
 constexpr double kTick_s = 0.1;
 
-SceneGraphSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
-  SceneGraphSettings settings;
-  config = readParameters(handles.parameters, parametersOf(settings));
-  return settings;
-}
-
 }  // namespace
 
 SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
     : handles_(handles),
-      settings_(settingsFrom(handles, config_)),
+      settings_(readSettings<SceneGraphSettings>(handles.parameters, config_)),
       started_s_(steadySeconds()),
       last_graph_(boost::make_shared<occusg::SceneGraphStamped>()),
       layout_(settings_.layout),

@@ -31,6 +31,7 @@
 #include <string>
 #include <vector>
 
+#include "clock_check.hpp"
 #include "node_handles.hpp"
 #include "occusg/pipeline/room_pipeline.hpp"
 #include "occusg_ros/callback_times.hpp"
@@ -138,7 +139,7 @@ class SceneGraphNode {
   double started_s_;
   MissingInputReport missing_input_;
   Throttle map_warnings_{kWarningPeriod_s};
-  Throttle clock_warnings_{kWarningPeriod_s};
+  ClockCheck clock_;
   Throttle detection_warnings_{kWarningPeriod_s};
 
   mutable std::mutex mutex_;  ///< Of the members up to `status_`.

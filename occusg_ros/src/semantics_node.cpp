@@ -14,26 +14,12 @@
 #include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
-#include "occusg_ros/parameters.hpp"
 
 namespace occusg_ros {
 namespace {
 
 constexpr std::chrono::milliseconds kPoll{10};
 constexpr std::uint32_t kQueue = 10;
-
-SemanticsSettings settingsFrom(const NodeHandles& handles, occusg::PipelineConfig& config) {
-  SemanticsSettings settings;
-  config = readParameters(
-      handles.parameters,
-      {textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
-       textParameter(settings.model, {"model", "", "ONNX file of a YOLO segmentation model."}),
-       textParameter(settings.classes, {"classes", "", "Names of its classes, one a line."}),
-       occusg::numberParameter(
-           settings.tf_timeout_s, {0.0, 60.0},
-           {"tf_timeout_s", "s", "How long images wait for their transform."})});
-  return settings;
-}
 
 std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings& settings,
                                                         occusg::OnnxSegmenterConfig config) {
@@ -50,7 +36,7 @@ std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings&
 
 SemanticsNode::SemanticsNode(const NodeHandles& handles)
     : handles_(handles),
-      settings_(settingsFrom(handles, config_)),
+      settings_(readSettings<SemanticsSettings>(handles.parameters, config_)),
       started_s_(steadySeconds()),
       waiting_(kQueue),
       segmenter_(segmenterFor(settings_, config_.segmenter)),
@@ -173,6 +159,7 @@ void SemanticsNode::process(const Views& views, const occusg::Pose& T_map_camera
 void SemanticsNode::checkHealth() {
   const CallbackTimes::Timing timing(callbacks_, "health");
   diagnostics_.force_update();
+  clock_.warn(handles_.name);
   const InputHealth::Counts counts = health_.counts();
   if (counts.used > 0) return;
   const auto input = [&](const std::string& what, const auto& subscriber) {

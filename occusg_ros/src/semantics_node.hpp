@@ -14,7 +14,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
+#include "clock_check.hpp"
 #include "node_handles.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/perception/instance_segmenter.hpp"
@@ -22,6 +24,7 @@
 #include "occusg/pipeline/stage_times.hpp"
 #include "occusg_ros/callback_times.hpp"
 #include "occusg_ros/input_health.hpp"
+#include "occusg_ros/parameters.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
@@ -36,6 +39,17 @@ struct SemanticsSettings {
   std::string classes;
   double tf_timeout_s = 0.5;
 };
+
+/// The settings by name.
+/// @param settings outlives the parameters.
+[[nodiscard]] inline std::vector<occusg::Parameter> parametersOf(SemanticsSettings& settings) {
+  return {
+      textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
+      textParameter(settings.model, {"model", "", "ONNX file of a YOLO segmentation model."}),
+      textParameter(settings.classes, {"classes", "", "Names of its classes, one a line."}),
+      occusg::numberParameter(settings.tf_timeout_s, {0.0, 60.0},
+                              {"tf_timeout_s", "s", "How long images wait for their transform."})};
+}
 
 /// Colour and registered depth images -> detections placed in the map. The newest pair goes next:
 /// inference takes longer than images take to come.
@@ -79,6 +93,7 @@ class SemanticsNode {
   double started_s_;
   MissingInputReport missing_input_;
   Throttle warnings_{kWarningPeriod_s};
+  ClockCheck clock_;
   CallbackTimes callbacks_;
 
   std::mutex mutex_;  ///< Of the members up to `detections_`.

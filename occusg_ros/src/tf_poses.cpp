@@ -45,4 +45,14 @@ PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target, const st
   }
 }
 
+std::optional<double> transformAge(const tf2::BufferCore& tf, const std::string& target,
+                                   const std::string& source, const ros::Time& now) {
+  try {
+    const ros::Time newest = tf.lookupTransform(target, source, ros::Time()).header.stamp;
+    return newest.isZero() ? 0.0 : (now - newest).toSec();
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace occusg_ros

@@ -16,11 +16,6 @@ namespace {
 /// [m] A length of a whole number of steps gets that many points, and one at the tolerance counts.
 constexpr double kRounding = 1e-9;
 
-void appendEdges(const Ring& ring, std::vector<Segment2>& edges) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    edges.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
-}
-
 /// Of all parts: the outer ring, then the holes.
 std::vector<const Ring*> ringsOf(const EvaluatedRoom& room) {
   std::vector<const Ring*> rings;
@@ -33,7 +28,10 @@ std::vector<const Ring*> ringsOf(const EvaluatedRoom& room) {
 
 std::vector<Segment2> edgesOf(const EvaluatedRoom& room) {
   std::vector<Segment2> edges;
-  for (const Ring* ring : ringsOf(room)) appendEdges(*ring, edges);
+  for (const Ring* ring : ringsOf(room)) {
+    const std::vector<Segment2> more = edgesOf(*ring);
+    edges.insert(edges.end(), more.begin(), more.end());
+  }
   return edges;
 }
 
@@ -58,8 +56,7 @@ double pairwiseSum(const double* values, std::size_t count) {
 }
 
 double exactLength(const Ring& ring) {
-  std::vector<Segment2> edges;
-  appendEdges(ring, edges);
+  const std::vector<Segment2> edges = edgesOf(ring);
   std::vector<double> lengths;
   lengths.reserve(edges.size());
   for (const Segment2& edge : edges) lengths.push_back(length(edge));
@@ -70,11 +67,8 @@ double exactLength(const Ring& ring) {
 /// @param start length of all rings before; moved to the ring's end.
 void sampleRing(const Ring& ring, double spacing, std::size_t count, double& start,
                 std::vector<Point2>& samples) {
-  std::vector<Segment2> edges;
-  appendEdges(ring, edges);
-  double ring_length = 0.0;
-  for (const Segment2& edge : edges) ring_length += length(edge);
-  const double end = start + ring_length;
+  const std::vector<Segment2> edges = edgesOf(ring);
+  const double end = start + length(ring);
   auto edge = edges.begin();
   double before_edge = 0.0;
   while (samples.size() < count) {

@@ -40,15 +40,6 @@ bool visitEdges(const Polygon& polygon, Visit visit) {
                      [&visit](const Ring& hole) { return visitEdges(hole, visit); });
 }
 
-double length(const Ring& ring) {
-  double sum = 0.0;
-  visitEdges(ring, [&sum](const Segment2& edge) {
-    sum += length(edge);
-    return true;
-  });
-  return sum;
-}
-
 Point2 meanOf(const Ring& ring) {
   Point2 sum;
   for (const Point2& point : ring) sum = {sum.x + point.x, sum.y + point.y};
@@ -126,6 +117,25 @@ Ring translated(Ring ring, double dx, double dy) {
 double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 double length(const Segment2& segment) { return distance(segment.a, segment.b); }
+
+double length(const Ring& ring) {
+  double sum = 0.0;
+  visitEdges(ring, [&sum](const Segment2& edge) {
+    sum += length(edge);
+    return true;
+  });
+  return sum;
+}
+
+std::vector<Segment2> edgesOf(const Ring& ring) {
+  std::vector<Segment2> edges;
+  edges.reserve(ring.size());
+  visitEdges(ring, [&edges](const Segment2& edge) {
+    edges.push_back(edge);
+    return true;
+  });
+  return edges;
+}
 
 Point2 midpoint(const Segment2& segment) {
   return {(segment.a.x + segment.b.x) / 2.0, (segment.a.y + segment.b.y) / 2.0};

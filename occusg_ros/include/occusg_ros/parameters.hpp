@@ -41,4 +41,14 @@ struct ParameterReport {
 [[nodiscard]] occusg::PipelineConfig readParameters(const ros::NodeHandle& private_nh,
                                                     const std::vector<occusg::Parameter>& own);
 
+/// The node's own settings, whose parameters `parametersOf(Settings&)` names, and with them those
+/// of the pipeline.
+template <typename Settings>
+[[nodiscard]] Settings readSettings(const ros::NodeHandle& private_nh,
+                                    occusg::PipelineConfig& config) {
+  Settings settings;
+  config = readParameters(private_nh, parametersOf(settings));
+  return settings;
+}
+
 }  // namespace occusg_ros

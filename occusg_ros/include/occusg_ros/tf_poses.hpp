@@ -30,4 +30,10 @@ struct PoseAnswer {
 [[nodiscard]] PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target,
                                 const std::string& source, const ros::Time& stamp);
 
+/// How far the newest known transform between the frames lies behind `now` [s]; nothing when there
+/// is none, zero when it holds for all times.
+[[nodiscard]] std::optional<double> transformAge(const tf2::BufferCore& tf,
+                                                 const std::string& target,
+                                                 const std::string& source, const ros::Time& now);
+
 }  // namespace occusg_ros

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace occusg {
 namespace {
@@ -43,6 +44,18 @@ TEST(Polygon, AreaIsNeverNegative) {
 }
 
 TEST(Polygon, PerimeterCountsHoles) { EXPECT_DOUBLE_EQ(perimeter(roomWithPillar()), 20.0); }
+
+TEST(Polygon, EdgesEndWithTheOneThatClosesTheRing) {
+  const Ring triangle = {{0, 0}, {3, 0}, {3, 4}};
+  const std::vector<Segment2> edges = edgesOf(triangle);
+  ASSERT_EQ(edges.size(), 3U);
+  EXPECT_EQ(edges.front().a, triangle.front());
+  EXPECT_EQ(edges.back().a, triangle.back());
+  EXPECT_EQ(edges.back().b, triangle.front());
+  EXPECT_DOUBLE_EQ(length(triangle), 12.0);
+  EXPECT_TRUE(edgesOf({}).empty());
+  EXPECT_EQ(length(Ring()), 0.0);
+}
 
 TEST(Polygon, CentroidIsThatOfTheAreaWithoutHoles) {
   const Point2 center = centroid(roomWithPillar());

@@ -125,6 +125,19 @@ TEST(TfPoses, FailureMode04PoseIsNeverMadeUp) {
   EXPECT_EQ(poseAt(tf, "map", "", ros::Time()).kind, PoseAnswer::Kind::kUnusable);
 }
 
+TEST(TfPoses, LagIsThatOfTheNewestTransform) {
+  tf2::BufferCore tf;
+  EXPECT_FALSE(transformAge(tf, "map", "camera", ros::Time(12.0)));
+  EXPECT_FALSE(transformAge(tf, "map", "", ros::Time(12.0)));
+  tf.setTransform(transform(10.0, 1.0), "test");
+  tf.setTransform(transform(11.0, 2.0), "test");
+  EXPECT_DOUBLE_EQ(transformAge(tf, "map", "camera", ros::Time(12.5)).value_or(-1.0), 1.5);
+  geometry_msgs::TransformStamped mount = transform(0.0, 1.0);
+  mount.child_frame_id = "mount";
+  tf.setTransform(mount, "test", true);
+  EXPECT_EQ(transformAge(tf, "map", "mount", ros::Time(12.5)), 0.0) << "it holds for all times";
+}
+
 TEST(PoseConversions, FailureMode04OnlyRotationsAndFiniteNumbersAreAPose) {
   geometry_msgs::Transform msg = transform(0.0, 3.0).transform;
   EXPECT_DOUBLE_EQ(toPose(msg, "tf").translation().x(), 3.0);

@@ -40,6 +40,10 @@ inline constexpr double kOnBoundaryTolerance_m = 1e-9;
 
 [[nodiscard]] double distance(const Point2& a, const Point2& b);
 [[nodiscard]] double length(const Segment2& segment);
+/// Length of a closed ring [m].
+[[nodiscard]] double length(const Ring& ring);
+/// The edges of a ring in its order, the closing one last.
+[[nodiscard]] std::vector<Segment2> edgesOf(const Ring& ring);
 [[nodiscard]] Point2 midpoint(const Segment2& segment);
 
 /// Signed area [m2]: positive when the ring is counter-clockwise.
