@@ -190,6 +190,17 @@ TEST(SeenApart, FollowsObjectsThatMergeAndGo) {
   EXPECT_EQ(apart.count(1, 4), 0);
 }
 
+TEST(SeenApart, IsTheSameWhenMadeFromItsPairs) {
+  SeenApart apart;
+  apart.add(2, 1);
+  apart.add(1, 2);
+  apart.add(3, 2);
+  EXPECT_EQ(apart.pairs(), (SeenApart::Pairs{{{1, 2}, 2}, {{2, 3}, 1}}));
+  SeenApart again(apart.pairs());
+  again.merge(1, 3);
+  EXPECT_EQ(again.pairs(), (SeenApart::Pairs{{{1, 2}, 3}}));
+}
+
 TEST(ObjectLayer, RefusesAndCountsWhatIsNoDetection) {
   SceneGraph graph;
   ObjectLayer layer{ObjectLayerConfig{}};
@@ -255,6 +266,22 @@ TEST(ObjectLayer, AnObjectSeenThroughThreeTimesInARowIsAGhost) {
   keeper.observe(graph, {chair}, 1.0);
   for (int i = 0; i < 5; ++i) keeper.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
   EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
+}
+
+TEST(ObjectLayer, LooksThatFoundAnObjectsSpaceFreeCountAfterARestore) {
+  const Detection chair = seen("chair", 1.0);
+  SceneGraph graph;
+  ObjectLayer first{ObjectLayerConfig{}};
+  first.observe(graph, {chair}, 1.0);
+  octomap::OcTree empty_space(0.05);
+  for (double z = 0.225; z < 0.8; z += 0.05)
+    for (double y = -0.275; y < 0.3; y += 0.05)
+      for (double x = 0.725; x < 1.3; x += 0.05) empty_space.updateNode(x, y, z, false);
+  for (int i = 0; i < 2; ++i) first.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  ObjectLayer second{ObjectLayerConfig{}};
+  second.restore(graph, first.state());
+  second.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  EXPECT_TRUE(graph.nodes(NodeType::kObject).empty());
 }
 
 TEST(GhostCheck, ATableIsNotSeenThroughThoughTheSpaceBelowItsTopIsFree) {
