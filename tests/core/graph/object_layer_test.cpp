@@ -298,6 +298,37 @@ TEST(GhostCheck, ATableIsNotSeenThroughThoughTheSpaceBelowItsTopIsFree) {
   }
 }
 
+// A hob in a worktop: 0.1 m thick, so that between the voxels it shares with the worktop and with
+// the air above there is a single layer, in which its surface may or may not be.
+TEST(GhostCheck, APlateIsNotSeenThroughThoughItsBoxEndsAMillimetreAboveIt) {
+  for (const double bottom_m : {0.89, 0.905, 0.94}) {
+    for (const double above_m : {-0.001, 0.001, 0.01, 0.02}) {
+      SCOPED_TRACE(std::to_string(bottom_m) + " to " + std::to_string(1.0 + above_m));
+      octomap::OcTree map = cubeOf(false);
+      const Eigen::AlignedBox3d plate(Eigen::Vector3d(0.2, 0.2, bottom_m),
+                                      Eigen::Vector3d(0.8, 1.2, 1.0 + above_m));
+      const bool has_inside = 1.0 + above_m - bottom_m > 0.05;
+      EXPECT_EQ(isSeenThrough(map, plate), has_inside) << "there is nothing in it";
+      for (double y = 0.225; y < 1.2; y += 0.05)
+        for (double x = 0.225; x < 0.8; x += 0.05)
+          map.setNodeValue(x, y, 0.999, map.getClampingThresMaxLog());
+      EXPECT_FALSE(isSeenThrough(map, plate));
+    }
+  }
+}
+
+TEST(GhostCheck, AThinThingThatLayOnTheFloorIsSeenThroughOnceItIsGone) {
+  octomap::OcTree map = cubeOf(false);
+  for (double y = 0.025; y < 2.0; y += 0.05)
+    for (double x = 0.025; x < 2.0; x += 0.05)
+      map.setNodeValue(x, y, 0.025, map.getClampingThresMaxLog());
+  const auto box = [](double top_m) {
+    return Eigen::AlignedBox3d(Eigen::Vector3d(0.2, 0.2, -0.005), Eigen::Vector3d(0.8, 1.2, top_m));
+  };
+  EXPECT_TRUE(isSeenThrough(map, box(0.08)));
+  EXPECT_FALSE(isSeenThrough(map, box(0.06))) << "too thin to be told from the floor";
+}
+
 TEST(FreeSpaceLinks, AnObjectIsLinkedToTheNearestNodeWithinReach) {
   SceneGraph graph;
   FreeSpaceLinks links(1.0);
