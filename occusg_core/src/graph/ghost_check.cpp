@@ -10,6 +10,7 @@
 namespace occusg {
 namespace {
 
+constexpr std::array<int, 3> kLeastSteps{1, 1, 2};
 constexpr std::array<int, 3> kMostSteps{10, 10, 40};  // 4000 points
 constexpr double kMostOccupied = 0.02;                // single voxels are noise
 constexpr double kMostOccupiedOfLayer = 0.1;          // a table is one layer of many
@@ -21,16 +22,19 @@ bool isSeenThrough(const octomap::OcTree& map, const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return false;
   // Walls and the floor are not the object; but its top may be all there is of it, as of a table.
   const double margin_m = map.getResolution();
-  const Eigen::AlignedBox3d inside(
-      Eigen::Vector3d(box.min() + Eigen::Vector3d::Constant(margin_m)),
-      Eigen::Vector3d(box.max() - Eigen::Vector3d(margin_m, margin_m, 0.0)));
+  Eigen::AlignedBox3d inside(Eigen::Vector3d(box.min() + Eigen::Vector3d::Constant(margin_m)),
+                             Eigen::Vector3d(box.max() - Eigen::Vector3d(margin_m, margin_m, 0.0)));
   if (inside.isEmpty()) return false;
+  // The top of a box is as noisy as the depth it was seen at: that of a plate may lie in the free
+  // voxel above it. So there are always two layers, the lower one half a voxel down at least.
+  inside.min().z() = std::min(inside.min().z(), inside.max().z() - margin_m);
   const Eigen::Vector3d size = inside.sizes();
   std::array<int, 3> steps{};
   for (int axis = 0; axis < 3; ++axis) {
     const auto index = static_cast<std::size_t>(axis);
-    steps[index] = static_cast<int>(std::clamp(std::ceil(size[axis] / map.getResolution()), 1.0,
-                                               static_cast<double>(kMostSteps[index])));
+    const auto voxels = static_cast<int>(
+        std::min(std::ceil(size[axis] / margin_m), static_cast<double>(kMostSteps[index])));
+    steps[index] = std::max(voxels, kLeastSteps[index]);
   }
   const int points_of_layer = steps[0] * steps[1];
   const int points = points_of_layer * steps[2];

@@ -97,7 +97,7 @@ void GraphBuilder::maintainFinally(double stamp_s, const MapView* map) {
 }
 
 GraphBuilderState GraphBuilder::state() const {
-  return {graph_, rooms_.state(), last_update_s_, last_maintenance_s_};
+  return {graph_, rooms_.state(), last_update_s_, last_maintenance_s_, objects_.state()};
 }
 
 void GraphBuilder::restore(GraphBuilderState state, double stamp_s) {
@@ -105,7 +105,7 @@ void GraphBuilder::restore(GraphBuilderState state, double stamp_s) {
   graph_ = std::move(state.graph);
   agents_.restore(graph_, stamp_s);
   rooms_.restore(graph_, state.rooms);
-  objects_.restore(graph_);
+  objects_.restore(graph_, state.objects);
   navigation_.restore(graph_);
   completeness_.restore(graph_);
   // The other layers find all of the graph in its log of changes; the history must know the rooms

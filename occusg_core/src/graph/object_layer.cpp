@@ -126,8 +126,15 @@ std::string mostSeen(const std::map<std::string, double>& histogram) {
 
 ObjectLayer::ObjectLayer(const ObjectLayerConfig& config) : config_(config) {}
 
-void ObjectLayer::restore(const SceneGraph& graph) {
+ObjectLayerState ObjectLayer::state() const {
+  return {apart_.pairs(), free_checks_, last_checked_};
+}
+
+void ObjectLayer::restore(const SceneGraph& graph, const ObjectLayerState& state) {
   *this = ObjectLayer(config_);
+  apart_ = SeenApart(state.seen_apart);
+  free_checks_ = state.free_checks;
+  last_checked_ = state.last_checked;
   for (const auto& [id, node] : graph.nodes(NodeType::kObject)) {
     const Eigen::AlignedBox3d& box = objectIn(node).box;
     if (!box.isEmpty()) boxes_.insert(id, groundBounds(box));

@@ -3,6 +3,13 @@
 
 namespace occusg {
 
+SeenApart::SeenApart(const Pairs& pairs) {
+  for (const auto& [ids, frames] : pairs) {
+    frames_[ids.first][ids.second] = frames;
+    frames_[ids.second][ids.first] = frames;
+  }
+}
+
 void SeenApart::add(NodeId a, NodeId b) {
   ++frames_[a][b];
   ++frames_[b][a];
@@ -36,6 +43,15 @@ void SeenApart::erase(NodeId id) {
     if (mirrored->second.empty()) frames_.erase(mirrored);
   }
   frames_.erase(id);
+}
+
+SeenApart::Pairs SeenApart::pairs() const {
+  Pairs pairs;
+  for (const auto& [id, row] : frames_) {
+    for (const auto& [other, frames] : row)
+      if (id < other) pairs.emplace(std::pair(id, other), frames);
+  }
+  return pairs;
 }
 
 }  // namespace occusg

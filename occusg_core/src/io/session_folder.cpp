@@ -114,6 +114,21 @@ void checkRooms(const SessionState& state, const std::string& where) {
   }
 }
 
+void checkObject(const SessionState& state, NodeId object, const std::string& where) {
+  const Node* node = state.graph.graph.find(object);
+  if (node != nullptr && node->type() == NodeType::kObject) return;
+  throw refuse(where, "names object " + std::to_string(object),
+               "an object of the session's graph is needed");
+}
+
+void checkObjects(const SessionState& state, const std::string& where) {
+  for (const auto& item : state.graph.objects.seen_apart) {
+    checkObject(state, item.first.first, where);
+    checkObject(state, item.first.second, where);
+  }
+  for (const auto& item : state.graph.objects.free_checks) checkObject(state, item.first, where);
+}
+
 }  // namespace
 
 void checkSessionPlace(const std::string& folder) {
@@ -159,6 +174,7 @@ Session loadSession(const std::string& folder, const OccupancyMapConfig& config)
     }
   }
   checkRooms(state, path);
+  checkObjects(state, path);
   return {std::move(map), std::move(state)};
 }
 

@@ -57,11 +57,19 @@ json tracksOf(const RegionTrackerState& tracker) {
 }
 
 /// [[key, value], ...]
-template <typename Value>
-json pairsOf(const std::map<int, Value>& values) {
+template <typename Key, typename Value>
+json pairsOf(const std::map<Key, Value>& values) {
   json pairs = json::array();
   for (const auto& [key, value] : values) pairs.push_back(json::array({key, value}));
   return pairs;
+}
+
+/// [[object, object, frames], ...]
+json seenApartOf(const SeenApart::Pairs& pairs) {
+  json list = json::array();
+  for (const auto& [ids, frames] : pairs)
+    list.push_back(json::array({ids.first, ids.second, frames}));
+  return list;
 }
 
 json nextIdsOf(const SceneGraph& graph) {
@@ -151,16 +159,52 @@ RegionTrackerState trackerIn(const json& document, const std::string& where) {
 }
 
 /// Reads [[key, value], ...]; `valueOf` reads a value.
-template <typename Value, typename ValueOf>
-std::map<int, Value> pairsIn(const json& list, const std::string& where, const ValueOf& valueOf) {
+template <typename Key, typename Value, typename ValueOf>
+std::map<Key, Value> pairsIn(const json& list, const std::string& where, const ValueOf& valueOf) {
   checkCount(list, where);
-  std::map<int, Value> values;
+  std::map<Key, Value> values;
   for (const json& pair : list) {
     if (arrayOf(pair, where).size() != 2)
       throw refuse(where, "has an entry that is no pair", "[key, value] is needed");
     values[integerOf(pair[0], where)] = valueOf(pair[1], where);
   }
   return values;
+}
+
+int countOf(const json& value, const std::string& where) {
+  const int count = integerOf(value, where);
+  if (count < 1)
+    throw refuse(where, "has a count of " + std::to_string(count), "it must be positive");
+  return count;
+}
+
+SeenApart::Pairs seenApartIn(const json& list, const std::string& where) {
+  checkCount(list, where);
+  SeenApart::Pairs pairs;
+  for (const json& entry : list) {
+    if (arrayOf(entry, where).size() != 3)
+      throw refuse(where, "has an entry that is no triple", "[object, object, frames] is needed");
+    const NodeId low = integerOf(entry[0], where);
+    const NodeId high = integerOf(entry[1], where);
+    if (low >= high) {
+      throw refuse(where, "names object " + std::to_string(low) + " before " + std::to_string(high),
+                   "the smaller id comes first");
+    }
+    pairs[{low, high}] = countOf(entry[2], where);
+  }
+  return pairs;
+}
+
+/// A session of a version that did not save them has none of these members.
+ObjectLayerState objectsIn(const json& document, const std::string& where) {
+  ObjectLayerState objects;
+  if (const json* apart = optionalMember(document, "objects_seen_apart", where))
+    objects.seen_apart = seenApartIn(*apart, where + ": objects_seen_apart");
+  if (const json* checks = optionalMember(document, "object_free_checks", where))
+    objects.free_checks = pairsIn<NodeId, int>(*checks, where + ": object_free_checks", countOf);
+  if (const json* last = optionalMember(document, "last_checked_object", where))
+    objects.last_checked = integerOf(*last, where + ": last_checked_object");
+  return objects;
 }
 
 std::map<NodeType, NodeId> nextIdsIn(const json& value, const std::string& where) {
@@ -197,21 +241,23 @@ FileMark markOf(const std::string& bytes) {
 }
 
 std::string toSessionJson(const SessionState& state, const std::map<std::string, FileMark>& files) {
-  return jsonDocument(
-      {{"format", kFormat},
-       {"version", kSessionVersion},
-       {"scene", state.scene},
-       {"files", filesOf(files)},
-       {"stamp_s", stampOf(state.stamp_s)},
-       {"pose", poseOf(state.T_map_camera)},
-       {"last_room_update_s", optionalStampOf(state.last_room_update_s)},
-       {"last_graph_update_s", optionalStampOf(state.graph.last_update_s)},
-       {"last_maintenance_s", stampOf(state.graph.last_maintenance_s)},
-       {"next_ids", nextIdsOf(state.graph.graph)},
-       {"next_region_id", state.tracker.next_id},
-       {"regions", tracksOf(state.tracker)},
-       {"region_first_seen_s", pairsOf(state.graph.rooms.first_seen_s)},
-       {"former_room_of_region", pairsOf(state.graph.rooms.former_room_of_region)}});
+  return jsonDocument({{"format", kFormat},
+                       {"version", kSessionVersion},
+                       {"scene", state.scene},
+                       {"files", filesOf(files)},
+                       {"stamp_s", stampOf(state.stamp_s)},
+                       {"pose", poseOf(state.T_map_camera)},
+                       {"last_room_update_s", optionalStampOf(state.last_room_update_s)},
+                       {"last_graph_update_s", optionalStampOf(state.graph.last_update_s)},
+                       {"last_maintenance_s", stampOf(state.graph.last_maintenance_s)},
+                       {"next_ids", nextIdsOf(state.graph.graph)},
+                       {"next_region_id", state.tracker.next_id},
+                       {"regions", tracksOf(state.tracker)},
+                       {"region_first_seen_s", pairsOf(state.graph.rooms.first_seen_s)},
+                       {"former_room_of_region", pairsOf(state.graph.rooms.former_room_of_region)},
+                       {"objects_seen_apart", seenApartOf(state.graph.objects.seen_apart)},
+                       {"object_free_checks", pairsOf(state.graph.objects.free_checks)},
+                       {"last_checked_object", state.graph.objects.last_checked}});
 }
 
 SessionJson parseSessionJson(const std::string& text, const std::string& where) {
@@ -229,11 +275,12 @@ SessionJson parseSessionJson(const std::string& text, const std::string& where) 
       numberOf(member(document, "last_maintenance_s", where), where + ": last_maintenance_s");
   session.next_ids = nextIdsIn(member(document, "next_ids", where), where + ": next_ids");
   state.tracker = trackerIn(document, where);
-  state.graph.rooms.first_seen_s = pairsIn<double>(member(document, "region_first_seen_s", where),
-                                                   where + ": region_first_seen_s", numberOf);
+  state.graph.rooms.first_seen_s = pairsIn<int, double>(
+      member(document, "region_first_seen_s", where), where + ": region_first_seen_s", numberOf);
   state.graph.rooms.former_room_of_region =
-      pairsIn<NodeId>(member(document, "former_room_of_region", where),
-                      where + ": former_room_of_region", integerOf);
+      pairsIn<int, NodeId>(member(document, "former_room_of_region", where),
+                           where + ": former_room_of_region", integerOf);
+  state.graph.objects = objectsIn(document, where);
   return session;
 }
 

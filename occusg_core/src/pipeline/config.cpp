@@ -234,9 +234,10 @@ void addTracking(Parameters& list, RegionTrackerConfig& tracker) {
   list.push_back(numberParameter(tracker.min_overlap, {0.0, 1.0},
                                  {"regions.tracker.min_overlap", "",
                                   "A track's region must exceed this polygon IoU.", "0.2"}));
-  list.push_back(numberParameter(tracker.max_centroid_distance_m, {0.0, kLongest_m},
-                                 {"regions.tracker.max_centroid_distance_m", "m",
-                                  "Its centroid must be nearer than this.", "1.5"}));
+  list.push_back(numberParameter(
+      tracker.max_centroid_distance_m, {0.0, kInfinity},
+      {"regions.tracker.max_centroid_distance_m", "m",
+       "Its centroid must be nearer than this; those of the parts of a corridor are not.", "1.5"}));
   list.push_back(numberParameter(
       tracker.min_area_ratio, {0.0, 1.0},
       {"regions.tracker.min_area_ratio", "", "New area over old, at least.", "0.25"}));

@@ -41,11 +41,8 @@ bool areSame(const std::vector<Crossing>& a, const std::vector<Crossing>& b) {
   });
 }
 
-/// Polygon IoU. Most regions of a map do not change from update to update; for those the costly
-/// intersection is spared.
-double overlapOf(const Region& a, const Region& b) {
-  if (haveSameRings(a, b)) return 1.0;
-  return intersectionOverUnion(a.polygon, b.polygon);
+bool areApart(const Bounds2& a, const Bounds2& b) {
+  return a.max.x <= b.min.x || b.max.x <= a.min.x || a.max.y <= b.min.y || b.max.y <= a.min.y;
 }
 
 /// `decomposition` with region ids replaced: ids[i] for the i-th region.
@@ -79,9 +76,10 @@ Decomposition renamed(const Decomposition& decomposition, const std::vector<int>
 RegionTracker::RegionTracker(const RegionTrackerConfig& config)
     : config_(config), guard_(config.guard) {
   constexpr double kAny = std::numeric_limits<double>::max();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   requireRange("regions.tracker.min_overlap", config.min_overlap, 0.0, 1.0);
   requireRange("regions.tracker.max_centroid_distance_m", config.max_centroid_distance_m, 0.0,
-               kAny);
+               kInfinity);
   requireRange("regions.tracker.min_area_ratio", config.min_area_ratio, 0.0, 1.0);
   requireRange("regions.tracker.max_area_ratio", config.max_area_ratio, 1.0, kAny);
   requireRange("regions.tracker.max_missed_updates", config.max_missed_updates, 0, 1000000);
@@ -128,26 +126,63 @@ void RegionTracker::reset() {
   tracked_.update = update + 1;
 }
 
+bool RegionTracker::mayContinue(const Track& track, const Region& region) const {
+  if (!(distance(region.centroid, track.region.centroid) < config_.max_centroid_distance_m))
+    return false;
+  const double ratio = region.area_m2 / track.region.area_m2;
+  return ratio >= config_.min_area_ratio && ratio <= config_.max_area_ratio;
+}
+
+// Most regions of a map do not change from update to update: they and their tracks are spared the
+// costly intersections with all others.
+std::vector<int> RegionTracker::assignUnchanged(const std::vector<Region>& regions) const {
+  constexpr double kWhole = 1.0;
+  std::vector<int> ids(regions.size(), kNoTrack);
+  if (!(kWhole > config_.min_overlap)) return ids;
+  std::multimap<std::pair<double, double>, int> starting_at;
+  for (const auto& [id, track] : tracks_) {
+    const Ring& outer = track.region.polygon.outer;
+    if (!outer.empty()) starting_at.emplace(std::pair(outer.front().x, outer.front().y), id);
+  }
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const Ring& outer = regions[i].polygon.outer;
+    if (outer.empty()) continue;
+    const auto range = starting_at.equal_range({outer.front().x, outer.front().y});
+    const auto same = std::find_if(range.first, range.second, [&](const auto& item) {
+      const Track& track = tracks_.at(item.second);
+      return haveSameRings(regions[i], track.region) && mayContinue(track, regions[i]);
+    });
+    if (same == range.second) continue;
+    ids[i] = same->second;
+    starting_at.erase(same);
+  }
+  return ids;
+}
+
 std::vector<int> RegionTracker::assign(const std::vector<Region>& regions) {
+  std::vector<int> ids = assignUnchanged(regions);
+  std::set<int> taken(ids.begin(), ids.end());
+  std::vector<std::pair<std::size_t, Bounds2>> open;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (ids[i] == kNoTrack && !regions[i].polygon.outer.empty())
+      open.emplace_back(i, bounds(regions[i].polygon));
+  }
   std::vector<Candidate> candidates;
   for (const auto& [id, track] : tracks_) {
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-      const double distance_m = distance(regions[i].centroid, track.region.centroid);
-      if (!(distance_m < config_.max_centroid_distance_m)) continue;
-      const double ratio = regions[i].area_m2 / track.region.area_m2;
-      if (!(ratio >= config_.min_area_ratio && ratio <= config_.max_area_ratio)) continue;
-      const double overlap = overlapOf(regions[i], track.region);
+    if (taken.count(id) > 0 || track.region.polygon.outer.empty()) continue;
+    const Bounds2 track_bounds = bounds(track.region.polygon);
+    for (const auto& [i, region_bounds] : open) {
+      const Region& region = regions[i];
+      if (!mayContinue(track, region) || areApart(track_bounds, region_bounds)) continue;
+      const double overlap = intersectionOverUnion(region.polygon, track.region.polygon);
+      const double distance_m = distance(region.centroid, track.region.centroid);
       if (overlap > config_.min_overlap) candidates.push_back({overlap, distance_m, id, i});
     }
   }
   std::sort(candidates.begin(), candidates.end());
-  std::vector<int> ids(regions.size(), kNoTrack);
-  std::vector<int> taken;
   for (const Candidate& candidate : candidates) {
-    if (ids[candidate.region] != kNoTrack) continue;
-    if (std::find(taken.begin(), taken.end(), candidate.track) != taken.end()) continue;
-    ids[candidate.region] = candidate.track;
-    taken.push_back(candidate.track);
+    if (ids[candidate.region] == kNoTrack && taken.insert(candidate.track).second)
+      ids[candidate.region] = candidate.track;
   }
   for (int& id : ids)
     if (id == kNoTrack) id = next_id_++;

@@ -190,6 +190,17 @@ TEST(SeenApart, FollowsObjectsThatMergeAndGo) {
   EXPECT_EQ(apart.count(1, 4), 0);
 }
 
+TEST(SeenApart, IsTheSameWhenMadeFromItsPairs) {
+  SeenApart apart;
+  apart.add(2, 1);
+  apart.add(1, 2);
+  apart.add(3, 2);
+  EXPECT_EQ(apart.pairs(), (SeenApart::Pairs{{{1, 2}, 2}, {{2, 3}, 1}}));
+  SeenApart again(apart.pairs());
+  again.merge(1, 3);
+  EXPECT_EQ(again.pairs(), (SeenApart::Pairs{{{1, 2}, 3}}));
+}
+
 TEST(ObjectLayer, RefusesAndCountsWhatIsNoDetection) {
   SceneGraph graph;
   ObjectLayer layer{ObjectLayerConfig{}};
@@ -257,6 +268,22 @@ TEST(ObjectLayer, AnObjectSeenThroughThreeTimesInARowIsAGhost) {
   EXPECT_EQ(graph.nodes(NodeType::kObject).size(), 1U);
 }
 
+TEST(ObjectLayer, LooksThatFoundAnObjectsSpaceFreeCountAfterARestore) {
+  const Detection chair = seen("chair", 1.0);
+  SceneGraph graph;
+  ObjectLayer first{ObjectLayerConfig{}};
+  first.observe(graph, {chair}, 1.0);
+  octomap::OcTree empty_space(0.05);
+  for (double z = 0.225; z < 0.8; z += 0.05)
+    for (double y = -0.275; y < 0.3; y += 0.05)
+      for (double x = 0.725; x < 1.3; x += 0.05) empty_space.updateNode(x, y, z, false);
+  for (int i = 0; i < 2; ++i) first.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  ObjectLayer second{ObjectLayerConfig{}};
+  second.restore(graph, first.state());
+  second.removeGhosts(graph, empty_space, {0.0, 0.0}, 8.0);
+  EXPECT_TRUE(graph.nodes(NodeType::kObject).empty());
+}
+
 TEST(GhostCheck, ATableIsNotSeenThroughThoughTheSpaceBelowItsTopIsFree) {
   for (const double top_m : {0.79, 0.801, 1.02, 1.6}) {
     SCOPED_TRACE(top_m);
@@ -269,6 +296,37 @@ TEST(GhostCheck, ATableIsNotSeenThroughThoughTheSpaceBelowItsTopIsFree) {
         map.setNodeValue(x, y, top_m - 0.005, map.getClampingThresMaxLog());
     EXPECT_FALSE(isSeenThrough(map, table));
   }
+}
+
+// A hob in a worktop: 0.1 m thick, so that between the voxels it shares with the worktop and with
+// the air above there is a single layer, in which its surface may or may not be.
+TEST(GhostCheck, APlateIsNotSeenThroughThoughItsBoxEndsAMillimetreAboveIt) {
+  for (const double bottom_m : {0.89, 0.905, 0.94}) {
+    for (const double above_m : {-0.001, 0.001, 0.01, 0.02}) {
+      SCOPED_TRACE(std::to_string(bottom_m) + " to " + std::to_string(1.0 + above_m));
+      octomap::OcTree map = cubeOf(false);
+      const Eigen::AlignedBox3d plate(Eigen::Vector3d(0.2, 0.2, bottom_m),
+                                      Eigen::Vector3d(0.8, 1.2, 1.0 + above_m));
+      const bool has_inside = 1.0 + above_m - bottom_m > 0.05;
+      EXPECT_EQ(isSeenThrough(map, plate), has_inside) << "there is nothing in it";
+      for (double y = 0.225; y < 1.2; y += 0.05)
+        for (double x = 0.225; x < 0.8; x += 0.05)
+          map.setNodeValue(x, y, 0.999, map.getClampingThresMaxLog());
+      EXPECT_FALSE(isSeenThrough(map, plate));
+    }
+  }
+}
+
+TEST(GhostCheck, AThinThingThatLayOnTheFloorIsSeenThroughOnceItIsGone) {
+  octomap::OcTree map = cubeOf(false);
+  for (double y = 0.025; y < 2.0; y += 0.05)
+    for (double x = 0.025; x < 2.0; x += 0.05)
+      map.setNodeValue(x, y, 0.025, map.getClampingThresMaxLog());
+  const auto box = [](double top_m) {
+    return Eigen::AlignedBox3d(Eigen::Vector3d(0.2, 0.2, -0.005), Eigen::Vector3d(0.8, 1.2, top_m));
+  };
+  EXPECT_TRUE(isSeenThrough(map, box(0.08)));
+  EXPECT_FALSE(isSeenThrough(map, box(0.06))) << "too thin to be told from the floor";
 }
 
 TEST(FreeSpaceLinks, AnObjectIsLinkedToTheNearestNodeWithinReach) {

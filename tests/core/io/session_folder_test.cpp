@@ -30,7 +30,7 @@ using testing::TemporaryFolder;
 
 Polygon square(double x0) { return {{{x0, 0}, {x0 + 2, 0}, {x0 + 2, 2}, {x0, 2}}, {}}; }
 
-/// One room on region 3, one that was removed, and tracks with a gap.
+/// One room on region 3, one that was removed, tracks with a gap, and two chairs seen apart.
 SessionState sampleState() {
   SessionState state;
   state.scene = "flat";
@@ -52,6 +52,11 @@ SessionState sampleState() {
   state.graph.rooms.former_room_of_region = {{5, id}};
   state.graph.last_update_s = 12.25;
   state.graph.last_maintenance_s = 11.0;
+  const NodeId chair = graph.add({1, 1, 0.5}, 1.0, ObjectAttributes{"chair", 0.9}).id;
+  const NodeId other = graph.add({1.2, 1, 0.5}, 1.0, ObjectAttributes{"chair", 0.9}).id;
+  state.graph.objects.seen_apart = {{{chair, other}, 7}};
+  state.graph.objects.free_checks = {{other, 2}};
+  state.graph.objects.last_checked = chair;
   return state;
 }
 
@@ -90,9 +95,25 @@ TEST_F(SessionFolder, BringsBackAllThatWasSaved) {
   EXPECT_EQ(state.graph.rooms.former_room_of_region, expected.graph.rooms.former_room_of_region);
   EXPECT_EQ(state.graph.last_update_s, 12.25);
   EXPECT_EQ(state.graph.last_maintenance_s, 11.0);
+  EXPECT_EQ(state.graph.objects.seen_apart, expected.graph.objects.seen_apart);
+  EXPECT_EQ(state.graph.objects.free_checks, expected.graph.objects.free_checks);
+  EXPECT_EQ(state.graph.objects.last_checked, expected.graph.objects.last_checked);
   EXPECT_EQ(toJson(state.graph.graph, ""), toJson(expected.graph.graph, ""));
   EXPECT_EQ(toOctomap(session.map.value().tree(), OctomapEncoding::kFull),
             toOctomap(map_.tree(), OctomapEncoding::kFull));
+}
+
+TEST_F(SessionFolder, OneFromBeforeTheEvidenceOnObjectsWasSavedLoadsWithoutIt) {
+  save();
+  const std::string name = "kept/session/session.json";
+  const std::string bytes = folder_.read(name);
+  const std::size_t evidence = bytes.find(",\n\"objects_seen_apart\"");
+  ASSERT_NE(evidence, std::string::npos) << bytes;
+  folder_.write(name, bytes.substr(0, evidence) + "\n}\n");
+  const Session session = loadSession(path_, OccupancyMapConfig{});
+  EXPECT_TRUE(session.state.graph.objects.seen_apart.empty());
+  EXPECT_TRUE(session.state.graph.objects.free_checks.empty());
+  EXPECT_EQ(session.state.graph.rooms.first_seen_s, sampleState().graph.rooms.first_seen_s);
 }
 
 TEST_F(SessionFolder, OneWithoutAMapSaysSoAndHoldsTheRest) {
@@ -212,6 +233,12 @@ TEST_F(SessionFolder, ValuesThatCannotBeAreNamed) {
       {"\"next_region_id\": 9", "\"next_region_id\": 5", "region 5"},
       {"[[5,4000000]]", "[[5,4000001]]", "names room 4000001"},
       {"\"ROOM\":4000002", "\"ROOM\":7", "7 is no id of type ROOM"},
+      {"[1000000,1000001,7]", "[1000000,1000002,7]", "names object 1000002"},
+      {"[1000000,1000001,7]", "[1000001,1000000,7]", "the smaller id comes first"},
+      {"[1000000,1000001,7]", "[1000000,1000001,0]", "objects_seen_apart: has a count of 0"},
+      {"[1000000,1000001,7]", "[1000000,1000001]", "no triple"},
+      {"[[1000001,2]]", "[[4000000,2]]", "names object 4000000"},
+      {"[[1000001,2]]", "[[1000001,-1]]", "object_free_checks: has a count of -1"},
       {"\"stamp_s\": 12.5", "\"stamp_s\": null", "stamp_s"},
       {"0.0,0.0,0.0,1.0]", "0.0,0.0,0.0,0.0]", "unit quaternion"}};
   save();

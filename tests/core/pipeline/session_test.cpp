@@ -10,6 +10,7 @@
 #include "occusg/geometry/polygon_overlap.hpp"
 #include "occusg/io/session_folder.hpp"
 #include "occusg/pipeline/pipeline.hpp"
+#include "occusg/pipeline/room_pipeline.hpp"
 #include "temporary_folder.hpp"
 
 namespace occusg {
@@ -84,6 +85,45 @@ TEST(Session, LabelOfAPersonAndNavigationNodesComeBackUnderTheirIds) {
     kept += second.graph().find(id) != nullptr ? 1 : 0;
   const std::size_t before = first.graph().nodes(NodeType::kNavigation).size();
   EXPECT_GE(10 * kept, 9 * before) << kept << " of " << before;
+}
+
+/// A box [0, 0.6] x [0, 0.6] between two heights.
+Detection boxBetween(double z0, double z1) {
+  Detection detection;
+  detection.class_name = "box";
+  detection.score = 0.9;
+  detection.box = {Eigen::Vector3d(0.0, 0.0, z0), Eigen::Vector3d(0.6, 0.6, z1)};
+  detection.centroid = detection.box.center();
+  return detection;
+}
+
+// One box on another: two things in each frame that shows both. Of a frame that shows the lower one
+// alone, they would be taken for pieces of one thing.
+TEST(Session, ThingsSeenApartStayApart) {
+  const Detection lower = boxBetween(0.0, 0.3);
+  const Detection upper = boxBetween(0.3, 0.6);
+  const auto boxesIn = [](const RoomPipeline& pipeline) {
+    return pipeline.graph().nodes(NodeType::kObject).size();
+  };
+  RoomPipeline whole{PipelineConfig{}};
+  for (int frame = 0; frame < 3; ++frame) whole.observeObjects({lower, upper}, frame);
+  const TemporaryFolder folder;
+  SessionState state;
+  state.stamp_s = 2.0;
+  whole.saveTo(state);
+  saveSession(folder.at("session"), state);
+
+  RoomPipeline resumed{PipelineConfig{}};
+  resumed.resumeFrom(loadSession(folder.at("session"), OccupancyMapConfig{}).state);
+  for (RoomPipeline* pipeline : {&whole, &resumed}) pipeline->observeObjects({lower}, 3.0);
+  EXPECT_EQ(boxesIn(whole), 2U);
+  EXPECT_EQ(boxesIn(resumed), 2U);
+
+  state.graph.objects.seen_apart.clear();
+  RoomPipeline forgetful{PipelineConfig{}};
+  forgetful.resumeFrom(state);
+  forgetful.observeObjects({lower}, 3.0);
+  EXPECT_EQ(boxesIn(forgetful), 1U) << "the evidence decides nothing here";
 }
 
 TEST(Session, NeedsAFrameAndComesBeforeTheFirstOne) {

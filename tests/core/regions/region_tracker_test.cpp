@@ -65,8 +65,9 @@ std::vector<int> idsOf(const TrackedRegions& tracked) {
 }
 
 /// The id a region gets when `before` was there one update earlier and had id 1.
-int idAfter(const Block& before, const Block& after) {
-  RegionTracker tracker(unguarded());
+int idAfter(const Block& before, const Block& after,
+            const RegionTrackerConfig& config = unguarded()) {
+  RegionTracker tracker(config);
   tracker.update(blocks({before}));
   return idsOf(tracker.update(blocks({after}))).front();
 }
@@ -139,8 +140,14 @@ TEST(RegionTracker, Row07OverlapMustExceedAFifth) {
 }
 
 TEST(RegionTracker, Row07CentroidsMustBeNearerThanOneAndAHalfMetres) {
-  EXPECT_EQ(idAfter(kLeft, {14, 0}), 1);
-  EXPECT_EQ(idAfter(kLeft, {16, 0}), 2);  // IoU 24 / 56 would do.
+  RegionTrackerConfig paper = unguarded();
+  paper.max_centroid_distance_m = 1.5;
+  EXPECT_EQ(idAfter(kLeft, {14, 0}, paper), 1);
+  EXPECT_EQ(idAfter(kLeft, {16, 0}, paper), 2);  // IoU 24 / 56 would do.
+}
+
+TEST(RegionTracker, ByDefaultOverlapAloneTellsWhetherALargeRegionIsTheSame) {
+  EXPECT_EQ(idAfter(kLeft, {16, 0}), 1);
 }
 
 TEST(RegionTracker, Row07AreaRatioMustLieWithinAQuarterAndFour) {
@@ -175,6 +182,56 @@ TEST(RegionTracker, OneTrackIsContinuedByOneRegionOnly) {
   tracker.update(blocks({{0, 0, 40, 40}}));
   const TrackedRegions& halves = tracker.update(blocks({{0, 0, 20, 40}, {20, 0, 20, 40}}));
   EXPECT_EQ(idsOf(halves), (std::vector<int>{1, 2}));
+}
+
+const Block kCorridor{0, 0, 240, 15};
+const Block kLongPart{0, 0, 140, 15};
+const Block kShortPart{140, 0, 100, 15};
+
+// The centroids of the parts lie 5 m and 7 m from that of the whole.
+TEST(RegionTracker, ACorridorCutInTwoLeavesItsIdToTheLongerPart) {
+  RegionTracker tracker(unguarded());
+  tracker.update(blocks({kCorridor}));
+  const TrackedRegions& parts = tracker.update(blocks({kShortPart, kLongPart}));
+  ASSERT_EQ(idsOf(parts), (std::vector<int>{1, 2}));
+  EXPECT_EQ(parts.decomposition.regions[0].cells.min, (Cell{0, 0}));
+  EXPECT_EQ(parts.decomposition.regions[1].cells.min, (Cell{140, 0}));
+  EXPECT_TRUE(parts.missed.empty());
+}
+
+TEST(RegionTracker, TwoRegionsThatMergeGoOnUnderTheIdOfTheLarger) {
+  RegionTracker tracker(unguarded());
+  tracker.update(blocks({kShortPart, kLongPart}));
+  const TrackedRegions& whole = tracker.update(blocks({kCorridor}));
+  EXPECT_EQ(idsOf(whole), std::vector<int>{2});
+  EXPECT_EQ(whole.missed, std::vector<int>{1});
+}
+
+TEST(RegionTracker, WhatPartsAgainSoonHasItsOldIds) {
+  RegionTracker tracker(unguarded());
+  tracker.update(blocks({kShortPart, kLongPart}));
+  for (int i = 0; i < 3; ++i) tracker.update(blocks({kCorridor}));
+  const TrackedRegions& parts = tracker.update(blocks({kLongPart, kShortPart}));
+  ASSERT_EQ(idsOf(parts), (std::vector<int>{1, 2}));
+  EXPECT_EQ(parts.decomposition.regions[0].cells.min, (Cell{140, 0}));
+}
+
+TEST(RegionTracker, ACutIntoManyPartsLeavesTheIdToNone) {
+  RegionTracker tracker(unguarded());
+  tracker.update(blocks({kCorridor}));
+  std::vector<Block> fifths;
+  for (int x = 0; x < 240; x += 48) fifths.push_back({x, 0, 48, 15});
+  EXPECT_EQ(idsOf(tracker.update(blocks(fifths))), (std::vector<int>{2, 3, 4, 5, 6}));
+}
+
+TEST(RegionTracker, AnUnchangedRegionKeepsItsIdBesideOnesThatGrew) {
+  RegionTracker tracker(unguarded());
+  tracker.update(blocks({kLeft, kMiddle, kRight}));
+  const Block towards_middle{91, 0, 49, 40};
+  const TrackedRegions& tracked = tracker.update(blocks({towards_middle, kMiddle, {0, 0, 49, 40}}));
+  ASSERT_EQ(idsOf(tracked), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(tracked.decomposition.regions[1].cells.min, (Cell{50, 0}));
+  EXPECT_EQ(tracked.changed, (std::vector<int>{1, 3}));
 }
 
 TEST(RegionTracker, MatchedTrackTakesTheNewGeometry) {

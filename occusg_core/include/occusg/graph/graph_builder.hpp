@@ -35,6 +35,7 @@ struct GraphBuilderState {
   RoomLayerState rooms;
   std::optional<double> last_update_s;
   double last_maintenance_s = 0.0;
+  ObjectLayerState objects;
 };
 
 /// What an update may know of the map besides the regions.

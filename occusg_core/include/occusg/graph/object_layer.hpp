@@ -53,6 +53,13 @@ struct ObjectCounts {
   std::size_t ghosts = 0;      ///< Objects removed because their space is free.
 };
 
+/// What the layer knows that neither the graph nor later frames tell it again.
+struct ObjectLayerState {
+  SeenApart::Pairs seen_apart;        ///< Of objects in the graph.
+  std::map<NodeId, int> free_checks;  ///< How often in a row an object's space was found free.
+  NodeId last_checked = 0;            ///< The object last looked at, whether it is a ghost.
+};
+
 /// Detections -> object nodes.
 class ObjectLayer {
  public:
@@ -67,8 +74,9 @@ class ObjectLayer {
   void removeGhosts(SceneGraph& graph, const octomap::OcTree& map, const Point2& center,
                     double radius_m);
 
+  [[nodiscard]] ObjectLayerState state() const;
   /// Goes on with the objects of `graph`.
-  void restore(const SceneGraph& graph);
+  void restore(const SceneGraph& graph, const ObjectLayerState& state);
 
   [[nodiscard]] const ObjectCounts& counts() const { return counts_; }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -12,11 +13,13 @@
 namespace occusg {
 
 struct RegionTrackerConfig {
-  double min_overlap = 0.20;             ///< Polygon IoU must exceed this, 0..1.
-  double max_centroid_distance_m = 1.5;  ///< Centroids must be nearer than this [m].
-  double min_area_ratio = 0.25;          ///< New area over old area, lower bound, inclusive.
-  double max_area_ratio = 4.0;           ///< Upper bound, inclusive.
-  int max_missed_updates = 3;            ///< A track survives so many updates without a region.
+  double min_overlap = 0.20;  ///< Polygon IoU must exceed this, 0..1.
+  /// Centroids must be nearer than this [m] (paper: 1.5). Infinite, as where a corridor is cut in
+  /// two the centroids of both parts lie metres from its own, and its id would go with neither.
+  double max_centroid_distance_m = std::numeric_limits<double>::infinity();
+  double min_area_ratio = 0.25;  ///< New area over old area, lower bound, inclusive.
+  double max_area_ratio = 4.0;   ///< Upper bound, inclusive.
+  int max_missed_updates = 3;    ///< A track survives so many updates without a region.
   AcceptanceGuardConfig guard;
 };
 
@@ -48,8 +51,10 @@ struct RegionTrackerState {
 
 /// Gives regions ids that last from update to update (paper, Sec. 3.3). A region continues the
 /// track it overlaps most among those that pass all three gates, one to one; ties go to the nearer
-/// centroid, then to the older track. A matched track takes the new geometry; a region without a
-/// match starts a new track; ids count up from 1 and are never used again.
+/// centroid, then to the older track. Of a region that was split the part it overlaps most keeps
+/// its id, and of regions that merged the whole keeps the id of the largest. A matched track takes
+/// the new geometry; a region without a match starts a new track; ids count up from 1 and are never
+/// used again.
 class RegionTracker {
  public:
   /// @throws Error when a parameter is out of range.
@@ -73,6 +78,9 @@ class RegionTracker {
     int missed_updates = 0;
   };
 
+  [[nodiscard]] bool mayContinue(const Track& track, const Region& region) const;
+  /// The track of every region that has not changed since it was last seen; zero for the others.
+  [[nodiscard]] std::vector<int> assignUnchanged(const std::vector<Region>& regions) const;
   /// The track of every region in list order: a known one, or one that it starts.
   [[nodiscard]] std::vector<int> assign(const std::vector<Region>& regions);
   void step(const std::vector<Region>& regions, const std::vector<int>& ids);
