@@ -55,12 +55,11 @@ std::size_t FrameCarver::blocksBetween(const std::array<VoxelIndex, 2>& bounds) 
 }
 
 const std::vector<VoxelBlock>& FrameCarver::carve(const FrameRays& rays, const RangeImage& image,
-                                                  const octomap::OcTree& tree,
-                                                  SettledVoxels& settled, Carving carving,
+                                                  const SettledVoxels& settled, Carving carving,
                                                   Workers& workers) {
   settled_ = &settled;
   carving_ = carving;
-  openFrame(rays, image, tree);
+  openFrame(rays, image);
   depth_.build(rays.depth(), rays.width(), rays.height(), workers);
   openWindow(rays.bounds());
   mark(rays);
@@ -77,18 +76,16 @@ const std::vector<VoxelBlock>& FrameCarver::carve(const FrameRays& rays, const R
   return sorted_;
 }
 
-void FrameCarver::openFrame(const FrameRays& rays, const RangeImage& image,
-                            const octomap::OcTree& tree) {
+void FrameCarver::openFrame(const FrameRays& rays, const RangeImage& image) {
   rays_ = &rays;
-  tree_ = &tree;
   double farthest_m = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    origin_[axis] = static_cast<float>(rays.origin()[axis] / tree.getResolution());
+    origin_[axis] = static_cast<float>(rays.origin()[axis] / rays.resolution_m());
     farthest_m = std::max(farthest_m, std::abs(rays.origin()[axis]));
   }
   // Points are rounded to single precision where they are, which may be far from the map's origin.
   const auto rounding = static_cast<float>(
-      4.0 * (farthest_m + 10.0) * std::numeric_limits<float>::epsilon() / tree.getResolution());
+      4.0 * (farthest_m + 10.0) * std::numeric_limits<float>::epsilon() / rays.resolution_m());
   depth_slack_ = kDepthSlack + rounding;
   projection_ = LatticeProjection(
       image, kPixelSlack + rounding * static_cast<float>(image.camera.fx) / kNearestSurface);
@@ -138,7 +135,7 @@ void FrameCarver::mark(const FrameRays& rays) {
 
 void FrameCarver::carveBlocks(int first_row, int end_row, std::vector<VoxelBlock>& carved) {
   const std::array<double, 3>& origin = rays_->origin();
-  const double voxels_per_m = 1.0 / tree_->getResolution();
+  const double voxels_per_m = 1.0 / rays_->resolution_m();
   const ViewPoint step = static_cast<float>(kBlockSide) * projection_.step(0);
   for (int row = first_row; row < end_row; ++row) {
     VoxelIndex block{window_.first.x, window_.first.y + row % window_.size.y,
@@ -165,9 +162,10 @@ void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center,
   VoxelBlock result;
   if (marked != nullptr) result = *marked;
   result.code = codeOf(at);
+  const SettledBlock& settled = settled_->of(result.code);
   if (verdict != Verdict::kNone) {
     Block block;
-    block.done = settled_->of(result.code, *tree_);
+    block.done = settled.free;
     block.first_voxel = {kBlockSide * at.x, kBlockSide * at.y, kBlockSide * at.z};
     for (unsigned i = 0; i < 8; ++i) {
       block.done[i] |= result.occupied[i] | result.free[i];
@@ -181,7 +179,8 @@ void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center,
   }
   std::uint64_t any = 0;
   for (unsigned i = 0; i < 8; ++i) {
-    result.free[i] &= ~result.occupied[i];
+    result.free[i] &= ~(result.occupied[i] | settled.free[i]);
+    result.occupied[i] &= ~settled.occupied[i];
     any |= result.free[i] | result.occupied[i];
   }
   if (any != 0) carved.push_back(result);

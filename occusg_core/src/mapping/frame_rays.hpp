@@ -42,6 +42,7 @@ class FrameRays {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] double resolution_m() const { return limits_.resolution_m; }
   /// Along the optical axis, of the rays' ends; 0 where there is no ray.
   [[nodiscard]] const std::vector<float>& depth() const { return depth_; }
   /// 1 / (end - sensor) by axis; kNoRay on all of them where there is no ray.
