@@ -18,7 +18,6 @@ constexpr std::uint64_t kByte = 0xFF;
 constexpr int kUndivided = 32;       ///< Pixels.
 constexpr float kRowSpacing = 0.4F;  ///< Of the rows looked at in fast mode [voxels].
 constexpr std::array<int, 5> kRowOrder = {0, -1, 1, -2, 2};
-constexpr float kRowReach = 0.7F;       ///< To both sides of the centre [voxels].
 constexpr float kShortestPass = 1e-4F;  ///< Share of a ray, above what rounding can make up.
 constexpr int kTasksPerThread = 8;
 constexpr float kDepthSlack = 0.002F;  ///< Voxels.
@@ -242,16 +241,16 @@ FrameCarver::Judgement FrameCarver::judge(const ViewPoint& center, std::size_t s
   return {all ? Verdict::kAll : Verdict::kSome, end};
 }
 
-/// Looks at five rows of rays about the centre, the middle ones first.
+/// Looks at up to five rows of rays about the centre, the middle ones first.
 bool FrameCarver::isFreeNearCenter(const VoxelIndex& voxel, const ViewPoint& center,
                                    const LatticeProjection::CenterPixel& pixel) const {
   const float nearest = center.z - projection_.corners(3).depth - depth_slack_;
-  const int reach =
-      std::min(1 + static_cast<int>(projection_.columnsOver(kRowReach, center.z)), kUndivided);
+  const int columns = std::min(projection_.columnsAbout(center, 3), kUndivided);
   const int step = std::max(1, static_cast<int>(projection_.rowsOver(kRowSpacing, center.z)));
+  const int rows = std::min(projection_.rowsAbout(center, 3), 2 * step);
   const PixelBox box = {
-      std::max(pixel.column - reach, 0), std::min(pixel.column + reach, rays_->width() - 1),
-      std::max(pixel.row - 2 * step, 0), std::min(pixel.row + 2 * step, rays_->height() - 1)};
+      std::max(pixel.column - columns, 0), std::min(pixel.column + columns, rays_->width() - 1),
+      std::max(pixel.row - rows, 0), std::min(pixel.row + rows, rays_->height() - 1)};
   if (depth_.farthest(box) < nearest) return false;
   for (const int offset : kRowOrder) {
     const int row = pixel.row + offset * step;

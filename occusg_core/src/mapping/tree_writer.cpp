@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "mapping/prefetch.hpp"
+
 namespace occusg {
 namespace {
 
@@ -12,15 +14,6 @@ constexpr unsigned kBlockDepth = kTreeDepth - kBlockLevels;
 
 unsigned childIndex(const TreeWriter::Update& update, unsigned depth) {
   return static_cast<unsigned>(update.block->code >> (3 * (kBlockDepth - 1 - depth))) & 7U;
-}
-
-/// Asks for what is at an address, to have it in the cache when it is needed.
-void prefetch(const void* address) {
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#else
-  (void)address;
-#endif
 }
 
 /// Bits of the first `voxels` voxels.
