@@ -9,8 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "mapping/prefetch.hpp"
-
 namespace occusg {
 namespace {
 
@@ -153,18 +151,10 @@ void FrameRays::resize(const RangeImage& image, int bands) {
 
 void FrameRays::prepareRow(const RangeImage& image, std::size_t first, Band& band) {
   std::copy_n(image.kinds.begin() + static_cast<std::ptrdiff_t>(first), width_, band.kinds.begin());
-  fetchRow(image, first + static_cast<std::size_t>(width_));
   measure(image, first, band);
   dropUnusable(band);
   cutAndInvert(first, band);
   mark(image, first, band);
-}
-
-/// Images are larger than the cache next to the core.
-void FrameRays::fetchRow(const RangeImage& image, std::size_t first) const {
-  constexpr std::size_t kPointsALine = kCacheLine / sizeof(Point3f);
-  const std::size_t end = std::min(first + static_cast<std::size_t>(width_), image.ends.size());
-  for (std::size_t i = first; i < end; i += kPointsALine) prefetch(&image.ends[i]);
 }
 
 void FrameRays::measure(const RangeImage& image, std::size_t first, Band& band) const {

@@ -87,7 +87,6 @@ class FrameRays {
 
   void resize(const RangeImage& image, int bands);
   void prepareRow(const RangeImage& image, std::size_t first, Band& band);
-  void fetchRow(const RangeImage& image, std::size_t first) const;
   void measure(const RangeImage& image, std::size_t first, Band& band) const;
   void dropUnusable(Band& band) const;
   void cutAndInvert(std::size_t first, Band& band);

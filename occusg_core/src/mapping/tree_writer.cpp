@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "mapping/prefetch.hpp"
-
 namespace occusg {
 namespace {
 
@@ -90,7 +88,7 @@ void TreeWriter::close() {
 
 void TreeWriter::write(const Updates& updates) {
   for (Update* update = updates.first; update != updates.last; ++update) {
-    fetchAhead(update, updates.last);
+    readAhead(update, updates.last);
     if (update->place.node != nullptr) writeBlock(*update);
   }
 }
@@ -113,47 +111,51 @@ void TreeWriter::writeBlock(Update& update) {
 }
 
 /// Nodes are scattered over the heap, and one is known only from the one above: waiting for each in
-/// turn would take most of an update. So they are asked for while earlier blocks are written, one
-/// level of the tree a block.
-void TreeWriter::fetchAhead(const Update* update, const Update* last) const {
+/// turn would take most of an update. So they are read while earlier blocks are written, one level
+/// of the tree a block. Processors may ignore a prefetch of a page they have to look up first,
+/// which is what nodes need most; they cannot ignore a read.
+void TreeWriter::readAhead(const Update* update, const Update* last) {
   const auto left = last - update;
-  if (left > 3) fetchWords(update[3]);
-  if (left > 2) fetchFamilies(update[2]);
-  if (left > 1) fetchVoxels(update[1]);
+  if (left > 3) read_ += readBlock(update[3]);
+  if (left > 2) read_ += readWords(update[2]);
+  if (left > 1) read_ += readFamilies(update[1]);
 }
 
-void TreeWriter::fetchWords(const Update& update) const {
-  const Node* block = update.place.node;
-  if (block == nullptr || !nodeHasChildren(block)) return;
+float TreeWriter::readChildren(const Node* node) const {
+  float sum = 0.0F;
   for (unsigned i = 0; i < 8; ++i)
-    if (nodeChildExists(block, i)) prefetch(getNodeChild(block, i));
+    if (nodeChildExists(node, i)) sum += getNodeChild(node, i)->getLogOdds();
+  return sum;
 }
 
-void TreeWriter::fetchFamilies(const Update& update) const {
-  const Node* block = update.place.node;
-  if (block == nullptr || !nodeHasChildren(block)) return;
-  for (unsigned i = 0; i < 8; ++i) {
-    if ((update.block->free[i] | update.block->occupied[i]) == 0) continue;
-    if (!nodeChildExists(block, i)) continue;
-    const Node* word = getNodeChild(block, i);
-    for (unsigned j = 0; j < 8; ++j)
-      if (nodeChildExists(word, j)) prefetch(getNodeChild(word, j));
-  }
+float TreeWriter::readBlock(const Update& update) const {
+  return update.place.node == nullptr ? 0.0F : readChildren(update.place.node);
 }
 
-void TreeWriter::fetchVoxels(const Update& update) const {
+float TreeWriter::readWords(const Update& update) const {
+  float sum = 0.0F;
+  forEachMarkedWord(update, [&](const Node* word, std::uint64_t) { sum += readChildren(word); });
+  return sum;
+}
+
+float TreeWriter::readFamilies(const Update& update) const {
+  float sum = 0.0F;
+  forEachMarkedWord(update, [&](const Node* word, std::uint64_t marks) {
+    for (unsigned i = 0; i < 8; ++i) {
+      if (((marks >> (8 * i)) & lowest(8)) != 0 && nodeChildExists(word, i))
+        sum += readChildren(getNodeChild(word, i));
+    }
+  });
+  return sum;
+}
+
+template <typename Visit>
+void TreeWriter::forEachMarkedWord(const Update& update, Visit&& visit) const {
   const Node* block = update.place.node;
   if (block == nullptr || !nodeHasChildren(block)) return;
   for (unsigned i = 0; i < 8; ++i) {
     const std::uint64_t marks = update.block->free[i] | update.block->occupied[i];
-    if (marks == 0 || !nodeChildExists(block, i)) continue;
-    const Node* word = getNodeChild(block, i);
-    for (unsigned j = 0; j < 8; ++j) {
-      if (((marks >> (8 * j)) & lowest(8)) == 0 || !nodeChildExists(word, j)) continue;
-      const Node* family = getNodeChild(word, j);
-      for (unsigned k = 0; k < 8; ++k)
-        if (nodeChildExists(family, k)) prefetch(getNodeChild(family, k));
-    }
+    if (marks != 0 && nodeChildExists(block, i)) visit(getNodeChild(block, i), marks);
   }
 }
 

@@ -82,13 +82,17 @@ class TreeWriter final : public octomap::OcTree {
   [[nodiscard]] Place child(const Place& parent, unsigned index);
   [[nodiscard]] bool isLeaf(const Place& place) const;
   [[nodiscard]] bool ignores(const Place& place, const Marks& marks) const;
-  void fetchAhead(const Update* update, const Update* last) const;
-  void fetchWords(const Update& update) const;
-  void fetchFamilies(const Update& update) const;
-  void fetchVoxels(const Update& update) const;
+  void readAhead(const Update* update, const Update* last);
+  [[nodiscard]] float readChildren(const Node* node) const;
+  [[nodiscard]] float readBlock(const Update& update) const;
+  [[nodiscard]] float readWords(const Update& update) const;
+  [[nodiscard]] float readFamilies(const Update& update) const;
+  template <typename Visit>
+  void forEachMarkedWord(const Update& update, Visit&& visit) const;
   void finish(Node* node);
 
   std::vector<Node*> opened_;  ///< Those above before those below.
+  float read_ = 0.0F;          ///< Ahead; means nothing, but what is used has to be read.
 };
 
 }  // namespace occusg
