@@ -298,9 +298,10 @@ void FrameRays::mark(const RangeImage& image, std::size_t first, Band& band) con
     std::uint64_t any = 0;
     std::memcpy(&any, band.is_new.data() + i, sizeof(any));
     if (any == 0) continue;
-    for (std::size_t k = i; k < i + sizeof(any); ++k)
+    for (std::size_t k = i; k < i + sizeof(any); ++k) {
       if (band.is_new[k] != 0 && !marksNothing(band.names.z_and_kind[k]))
         markEnd(image, first, k, band);
+    }
   }
   std::swap(band.names, band.names_above);
 }

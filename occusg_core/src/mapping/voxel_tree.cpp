@@ -64,9 +64,10 @@ void VoxelTree::write(Workers& workers) {
   const std::size_t share = workers.threads() == 1 ? count : kBlocksAtOnce;
   std::atomic<std::size_t> next{0};
   workers.run(workers.threads(), [&](int writer) {
-    for (std::size_t i = next.fetch_add(share); i < count; i = next.fetch_add(share))
+    for (std::size_t i = next.fetch_add(share); i < count; i = next.fetch_add(share)) {
       writers_[static_cast<std::size_t>(writer)]->write(
           {first + i, first + std::min(i + share, count)});
+    }
   });
   writers_.front()->close();
   for (const auto& writer : writers_) tree_size += writer->takeGrowth();
