@@ -252,6 +252,8 @@ void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyM
   constexpr int kFramesUntilClamped = 6;
   // The map offers frames alone as its way in; filling it by those would take hours.
   auto& tree = static_cast<VoxelTree&>(const_cast<octomap::OcTree&>(map.tree()));
+  SettledVoxels settled;
+  Workers alone(1);
   std::map<int, std::vector<RoomBlock>> blocks_of_kind;
   for (int y = 0; y < building.rooms_y; ++y) {
     for (int x = 0; x < building.rooms_x; ++x) {
@@ -260,7 +262,7 @@ void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyM
       std::vector<RoomBlock>& blocks = blocks_of_kind[kind.number()];
       if (blocks.empty()) blocks = blocksOf(kind);
       const std::vector<VoxelBlock> frame = placed(blocks, x, y);
-      for (int i = 0; i < kFramesUntilClamped; ++i) (void)tree.integrate(frame);
+      for (int i = 0; i < kFramesUntilClamped; ++i) (void)tree.integrate(frame, settled, alone);
     }
   }
 }

@@ -37,6 +37,7 @@ occusg_add_floor(mapping
     measured_evidence.cpp
     occupancy_map.cpp
     settled_voxels.cpp
+    tree_writer.cpp
     voxel_columns.cpp
     voxel_tree.cpp
     workers.cpp

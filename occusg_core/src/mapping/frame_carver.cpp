@@ -18,7 +18,6 @@ constexpr std::uint64_t kByte = 0xFF;
 constexpr int kUndivided = 32;       ///< Pixels.
 constexpr float kRowSpacing = 0.4F;  ///< Of the rows looked at in fast mode [voxels].
 constexpr std::array<int, 5> kRowOrder = {0, -1, 1, -2, 2};
-constexpr float kRowReach = 0.7F;       ///< To both sides of the centre [voxels].
 constexpr float kShortestPass = 1e-4F;  ///< Share of a ray, above what rounding can make up.
 constexpr int kTasksPerThread = 8;
 constexpr float kDepthSlack = 0.002F;  ///< Voxels.
@@ -55,12 +54,11 @@ std::size_t FrameCarver::blocksBetween(const std::array<VoxelIndex, 2>& bounds) 
 }
 
 const std::vector<VoxelBlock>& FrameCarver::carve(const FrameRays& rays, const RangeImage& image,
-                                                  const octomap::OcTree& tree,
-                                                  SettledVoxels& settled, Carving carving,
+                                                  const SettledVoxels& settled, Carving carving,
                                                   Workers& workers) {
   settled_ = &settled;
   carving_ = carving;
-  openFrame(rays, image, tree);
+  openFrame(rays, image);
   depth_.build(rays.depth(), rays.width(), rays.height(), workers);
   openWindow(rays.bounds());
   mark(rays);
@@ -77,18 +75,16 @@ const std::vector<VoxelBlock>& FrameCarver::carve(const FrameRays& rays, const R
   return sorted_;
 }
 
-void FrameCarver::openFrame(const FrameRays& rays, const RangeImage& image,
-                            const octomap::OcTree& tree) {
+void FrameCarver::openFrame(const FrameRays& rays, const RangeImage& image) {
   rays_ = &rays;
-  tree_ = &tree;
   double farthest_m = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    origin_[axis] = static_cast<float>(rays.origin()[axis] / tree.getResolution());
+    origin_[axis] = static_cast<float>(rays.origin()[axis] / rays.resolution_m());
     farthest_m = std::max(farthest_m, std::abs(rays.origin()[axis]));
   }
   // Points are rounded to single precision where they are, which may be far from the map's origin.
   const auto rounding = static_cast<float>(
-      4.0 * (farthest_m + 10.0) * std::numeric_limits<float>::epsilon() / tree.getResolution());
+      4.0 * (farthest_m + 10.0) * std::numeric_limits<float>::epsilon() / rays.resolution_m());
   depth_slack_ = kDepthSlack + rounding;
   projection_ = LatticeProjection(
       image, kPixelSlack + rounding * static_cast<float>(image.camera.fx) / kNearestSurface);
@@ -138,7 +134,7 @@ void FrameCarver::mark(const FrameRays& rays) {
 
 void FrameCarver::carveBlocks(int first_row, int end_row, std::vector<VoxelBlock>& carved) {
   const std::array<double, 3>& origin = rays_->origin();
-  const double voxels_per_m = 1.0 / tree_->getResolution();
+  const double voxels_per_m = 1.0 / rays_->resolution_m();
   const ViewPoint step = static_cast<float>(kBlockSide) * projection_.step(0);
   for (int row = first_row; row < end_row; ++row) {
     VoxelIndex block{window_.first.x, window_.first.y + row % window_.size.y,
@@ -165,9 +161,10 @@ void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center,
   VoxelBlock result;
   if (marked != nullptr) result = *marked;
   result.code = codeOf(at);
+  const SettledBlock& settled = settled_->of(result.code);
   if (verdict != Verdict::kNone) {
     Block block;
-    block.done = settled_->of(result.code, *tree_);
+    block.done = settled.free;
     block.first_voxel = {kBlockSide * at.x, kBlockSide * at.y, kBlockSide * at.z};
     for (unsigned i = 0; i < 8; ++i) {
       block.done[i] |= result.occupied[i] | result.free[i];
@@ -181,7 +178,8 @@ void FrameCarver::carveBlock(const VoxelIndex& at, const ViewPoint& center,
   }
   std::uint64_t any = 0;
   for (unsigned i = 0; i < 8; ++i) {
-    result.free[i] &= ~result.occupied[i];
+    result.free[i] &= ~(result.occupied[i] | settled.free[i]);
+    result.occupied[i] &= ~settled.occupied[i];
     any |= result.free[i] | result.occupied[i];
   }
   if (any != 0) carved.push_back(result);
@@ -243,16 +241,16 @@ FrameCarver::Judgement FrameCarver::judge(const ViewPoint& center, std::size_t s
   return {all ? Verdict::kAll : Verdict::kSome, end};
 }
 
-/// Looks at five rows of rays about the centre, the middle ones first.
+/// Looks at up to five rows of rays about the centre, the middle ones first.
 bool FrameCarver::isFreeNearCenter(const VoxelIndex& voxel, const ViewPoint& center,
                                    const LatticeProjection::CenterPixel& pixel) const {
   const float nearest = center.z - projection_.corners(3).depth - depth_slack_;
-  const int reach =
-      std::min(1 + static_cast<int>(projection_.columnsOver(kRowReach, center.z)), kUndivided);
+  const int columns = std::min(projection_.columnsAbout(center, 3), kUndivided);
   const int step = std::max(1, static_cast<int>(projection_.rowsOver(kRowSpacing, center.z)));
+  const int rows = std::min(projection_.rowsAbout(center, 3), 2 * step);
   const PixelBox box = {
-      std::max(pixel.column - reach, 0), std::min(pixel.column + reach, rays_->width() - 1),
-      std::max(pixel.row - 2 * step, 0), std::min(pixel.row + 2 * step, rays_->height() - 1)};
+      std::max(pixel.column - columns, 0), std::min(pixel.column + columns, rays_->width() - 1),
+      std::max(pixel.row - rows, 0), std::min(pixel.row + rows, rays_->height() - 1)};
   if (depth_.farthest(box) < nearest) return false;
   for (const int offset : kRowOrder) {
     const int row = pixel.row + offset * step;

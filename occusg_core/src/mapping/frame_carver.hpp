@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <octomap/OcTree.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,12 +26,12 @@ enum class Carving {
 /// rays through a voxel are tested one by one.
 class FrameCarver {
  public:
-  /// @param settled of `tree`, the map: voxels that one more miss leaves as they are are left out.
+  /// @param settled of the map: voxels the frame leaves as they are are left out.
   /// @return the touched blocks in Morton order, as `VoxelTree::integrate` wants them; valid until
   /// the next call.
   const std::vector<VoxelBlock>& carve(const FrameRays& rays, const RangeImage& image,
-                                       const octomap::OcTree& tree, SettledVoxels& settled,
-                                       Carving carving, Workers& workers);
+                                       const SettledVoxels& settled, Carving carving,
+                                       Workers& workers);
   /// Blocks between the bounds of the rays. Time and memory of `carve` grow with it.
   [[nodiscard]] static std::size_t blocksBetween(const std::array<VoxelIndex, 2>& bounds);
 
@@ -54,7 +52,7 @@ class FrameCarver {
     float farthest = 0.0F;  ///< Where the rays that can cross the cube end, at most.
   };
 
-  void openFrame(const FrameRays& rays, const RangeImage& image, const octomap::OcTree& tree);
+  void openFrame(const FrameRays& rays, const RangeImage& image);
   void openWindow(const std::array<VoxelIndex, 2>& bounds);
   void mark(const FrameRays& rays);
   void carveBlocks(int first_row, int end_row, std::vector<VoxelBlock>& carved);
@@ -75,8 +73,7 @@ class FrameCarver {
 
   Carving carving_ = Carving::kExact;
   const FrameRays* rays_ = nullptr;
-  const octomap::OcTree* tree_ = nullptr;
-  SettledVoxels* settled_ = nullptr;
+  const SettledVoxels* settled_ = nullptr;
   LatticeProjection projection_;
   DepthBounds depth_;
   float depth_slack_ = 0.0F;  ///< Rounding of depths [voxels].

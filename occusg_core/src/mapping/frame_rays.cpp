@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <limits>
 #include <utility>
 
 namespace occusg {
@@ -18,6 +20,19 @@ constexpr int kHighestVoxel = 32767;
 
 Floats view(std::vector<float>& values, std::size_t first, std::size_t count) {
   return {values.data() + first, static_cast<Eigen::Index>(count)};
+}
+
+Eigen::Map<const Float8> at(const std::vector<float>& values, std::size_t first) {
+  return Eigen::Map<const Float8>(values.data() + first);
+}
+
+/// The first of eight values.
+void store(const Float8& values, std::size_t count, float* to) {
+  if (count == kRaysAtOnce) {
+    Eigen::Map<Float8>{to} = values;
+  } else {
+    std::copy_n(values.data(), count, to);
+  }
 }
 
 int floorToInt(double number) {
@@ -36,13 +51,32 @@ VoxelIndex voxelAt(const Point3f& point, double resolution_m) {
 }
 
 /// Places in a voxel, 0 to 1, closer to its faces may be in the next one when found in double
-/// precision: 1 / 128 voxel is the rounding at the map's far end.
-constexpr float kUncertain = 0.01F;
+/// precision; roundings in single precision, of which there are fewer than these, come on top.
+constexpr float kUncertain = 0.001F;
+constexpr float kRoundings = 16.0F;
 
 /// In the names of ends: these two never name the same voxel as any other.
 constexpr std::uint32_t kUncertainName = std::uint32_t{1} << 31;
 constexpr std::uint32_t kNoName = ~std::uint32_t{0};
 constexpr unsigned kKindShift = 16;
+constexpr std::uint32_t kBeyond = 4;  ///< Beside the kind: the ray is cut.
+constexpr std::uint32_t kNameMask = 0xFFFF;
+
+/// Of a ray that is none, or hits something beyond the range.
+bool marksNothing(std::uint32_t z_and_kind) {
+  const std::uint32_t kind = (z_and_kind >> kKindShift) & 7U;
+  return (kind & 3U) == static_cast<std::uint32_t>(RayEnd::kNone) ||
+         kind == (static_cast<std::uint32_t>(RayEnd::kHit) | kBeyond);
+}
+
+/// The value, or 0 whatever it is, without a jump: pixels without a ray come and go.
+float keptIf(bool keep, float value) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  bits &= keep ? ~std::uint32_t{0} : 0U;
+  std::memcpy(&value, &bits, sizeof(bits));
+  return value;
+}
 
 float coordinate(const Point3f& point, std::size_t axis) {
   return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
@@ -79,6 +113,8 @@ void FrameRays::resize(const RangeImage& image, int bands) {
   const std::size_t padded = image.ends.size() + kRaysAtOnce;
   depth_.resize(padded);
   std::fill(depth_.end() - kRaysAtOnce, depth_.end(), 0.0F);
+  const double reach = std::ceil(limits_.max_range_m / limits_.resolution_m) + 2.0;
+  double farthest = reach;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     inverse_[axis].resize(padded);
     std::fill(inverse_[axis].end() - kRaysAtOnce, inverse_[axis].end(), kNoRay);
@@ -86,17 +122,22 @@ void FrameRays::resize(const RangeImage& image, int bands) {
         static_cast<float>(image.T_map_camera.linear()(static_cast<Eigen::Index>(axis), 2));
     origin_[axis] = static_cast<double>(coordinate(image.origin, axis));
     const double place = origin_[axis] / limits_.resolution_m;
-    const double reach = std::ceil(limits_.max_range_m / limits_.resolution_m) + 2.0;
+    farthest = std::max(farthest, std::abs(place));
+    name_base_[axis] = floorToInt(place) - static_cast<int>(reach);
     name_origin_[axis] = static_cast<float>(place - std::floor(place) + reach);
   }
+  surely_inside_ =
+      0.5F - kUncertain -
+      kRoundings * std::numeric_limits<float>::epsilon() * static_cast<float>(farthest);
   const auto width = static_cast<std::size_t>(width_);
+  const std::size_t row = (width + kRaysAtOnce - 1) / kRaysAtOnce * kRaysAtOnce;
   bands_.resize(static_cast<std::size_t>(bands));
   for (Band& band : bands_) {
-    for (auto& direction : band.direction) direction.resize(width);
-    band.squared_range.resize(width);
-    band.cut.resize(width);
-    band.kinds.resize(width);
-    band.columns.resize(width);
+    for (auto& direction : band.direction) direction.resize(row, 0.0F);
+    band.squared_range.resize(row, 0.0F);
+    band.cut.resize(row);
+    band.kinds.resize(row, RayEnd::kNone);
+    band.is_new.assign(row, 0);
     for (RowNames* names : {&band.names, &band.names_above}) {
       names->xy.resize(width);
       names->z_and_kind.assign(width, kNoName);
@@ -109,8 +150,7 @@ void FrameRays::resize(const RangeImage& image, int bands) {
 }
 
 void FrameRays::prepareRow(const RangeImage& image, std::size_t first, Band& band) {
-  std::copy_n(image.kinds.begin() + static_cast<std::ptrdiff_t>(first), band.kinds.size(),
-              band.kinds.begin());
+  std::copy_n(image.kinds.begin() + static_cast<std::ptrdiff_t>(first), width_, band.kinds.begin());
   measure(image, first, band);
   dropUnusable(band);
   cutAndInvert(first, band);
@@ -119,20 +159,20 @@ void FrameRays::prepareRow(const RangeImage& image, std::size_t first, Band& ban
 
 void FrameRays::measure(const RangeImage& image, std::size_t first, Band& band) const {
   const Point3f* ends = image.ends.data() + first;
-  const Point3f origin = image.origin;
-  const std::size_t count = band.kinds.size();
+  const auto [from_x, from_y, from_z] = image.origin;
+  const auto count = static_cast<std::size_t>(width_);
   const RayEnd* kinds = band.kinds.data();
   float* x = band.direction[0].data();
   float* y = band.direction[1].data();
   float* z = band.direction[2].data();
   for (std::size_t i = 0; i < count; ++i) {
-    const bool is_ray = kinds[i] != RayEnd::kNone;
-    const float away_x = ends[i].x - origin.x;
-    const float away_y = ends[i].y - origin.y;
-    const float away_z = ends[i].z - origin.z;
-    x[i] = is_ray ? away_x : 0.0F;
-    y[i] = is_ray ? away_y : 0.0F;
-    z[i] = is_ray ? away_z : 0.0F;
+    x[i] = ends[i].x - from_x;
+    y[i] = ends[i].y - from_y;
+    z[i] = ends[i].z - from_z;
+  }
+  for (float* values : {x, y, z}) {
+    for (std::size_t i = 0; i < count; ++i)
+      values[i] = keptIf(kinds[i] != RayEnd::kNone, values[i]);
   }
   const auto dx = view(band.direction[0], 0, count);
   const auto dy = view(band.direction[1], 0, count);
@@ -142,7 +182,7 @@ void FrameRays::measure(const RangeImage& image, std::size_t first, Band& band) 
 
 /// Takes rays that end nowhere or outside the map out of the row.
 void FrameRays::dropUnusable(Band& band) const {
-  const std::size_t count = band.kinds.size();
+  const auto count = static_cast<std::size_t>(width_);
   bool is_near_edge = false;
   for (const double origin_m : origin_) {
     is_near_edge |=
@@ -168,27 +208,39 @@ void FrameRays::dropUnusable(Band& band) const {
 }
 
 void FrameRays::cutAndInvert(std::size_t first, Band& band) {
-  const std::size_t count = band.kinds.size();
-  auto cut = view(band.cut, 0, count);
+  const auto count = static_cast<std::size_t>(width_);
   const auto resolution_m = static_cast<float>(limits_.resolution_m);
-  cut = (static_cast<float>(limits_.max_range_m) / view(band.squared_range, 0, count).sqrt())
-            .min(1.0F);
-  auto depth = view(depth_, first, count);
-  depth = forward_[0] * view(band.direction[0], 0, count) +
-          forward_[1] * view(band.direction[1], 0, count) +
-          forward_[2] * view(band.direction[2], 0, count);
-  depth = (depth * cut * (1.0F / resolution_m)).max(0.0F);
+  const auto max_range_m = static_cast<float>(limits_.max_range_m);
+  std::array<Float8, 3> lowest;
+  std::array<Float8, 3> highest;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    auto inverse = view(inverse_[axis], first, count);
-    inverse = view(band.direction[axis], 0, count) * cut;
-    band.lowest[axis] = std::min(band.lowest[axis], inverse.minCoeff());
-    band.highest[axis] = std::max(band.highest[axis], inverse.maxCoeff());
-    inverse = (resolution_m / inverse).min(kNoRay).max(-kNoRay);
+    lowest[axis] = band.lowest[axis];
+    highest[axis] = band.highest[axis];
+  }
+  for (std::size_t i = 0; i < count; i += kRaysAtOnce) {
+    const std::size_t rays = std::min<std::size_t>(count - i, kRaysAtOnce);
+    const Float8 cut = (max_range_m / at(band.squared_range, i).sqrt()).min(1.0F);
+    Eigen::Map<Float8>(band.cut.data() + i) = cut;
+    Float8 depth = forward_[0] * at(band.direction[0], i) + forward_[1] * at(band.direction[1], i) +
+                   forward_[2] * at(band.direction[2], i);
+    depth = (depth * cut * (1.0F / resolution_m)).max(0.0F);
+    store(depth, rays, depth_.data() + first + i);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Float8 direction = at(band.direction[axis], i) * cut;
+      lowest[axis] = lowest[axis].min(direction);
+      highest[axis] = highest[axis].max(direction);
+      store((resolution_m / direction).min(kNoRay).max(-kNoRay), rays,
+            inverse_[axis].data() + first + i);
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    band.lowest[axis] = lowest[axis].minCoeff();
+    band.highest[axis] = highest[axis].maxCoeff();
   }
 }
 
 void FrameRays::nameEnds(Band& band) const {
-  const std::size_t count = band.kinds.size();
+  const auto count = static_cast<std::size_t>(width_);
   const auto voxels_per_m = static_cast<float>(1.0 / limits_.resolution_m);
   const float* x = band.direction[0].data();
   const float* y = band.direction[1].data();
@@ -200,6 +252,7 @@ void FrameRays::nameEnds(Band& band) const {
   std::uint32_t* z_and_kind = band.names.z_and_kind.data();
   const auto [from_x, from_y, from_z] = name_origin_;
   const float max_squared = max_squared_range_;
+  const float surely_inside = surely_inside_;
   for (std::size_t i = 0; i < count; ++i) {
     const float scale = cut[i] * voxels_per_m;
     const float at_x = x[i] * scale + from_x;
@@ -214,53 +267,64 @@ void FrameRays::nameEnds(Band& band) const {
     const float off = std::max(off_x, std::max(off_y, off_z));
     const auto kind = static_cast<std::uint32_t>(kinds[i]);
     // A hit beyond the range marks nothing: its end is that of another kind.
-    const std::uint32_t beyond = squared_range[i] > max_squared ? 4U : 0U;
-    const std::uint32_t uncertain = off > 0.5F - kUncertain ? kUncertainName : 0U;
+    const std::uint32_t beyond = squared_range[i] > max_squared ? kBeyond : 0U;
+    const std::uint32_t uncertain = off > surely_inside ? kUncertainName : 0U;
     xy[i] = static_cast<std::uint32_t>(cell_x) | static_cast<std::uint32_t>(cell_y) << 16;
     z_and_kind[i] = static_cast<std::uint32_t>(cell_z) | (kind | beyond) << kKindShift | uncertain;
   }
 }
 
-/// The columns, in the first entries of `columns`, whose rays end elsewhere than those of the
-/// pixels to the left and above, or may do so. @return how many there are.
-std::size_t FrameRays::findNewEnds(Band& band) {
-  std::size_t found = 0;
-  std::uint32_t left_xy = 0;
-  std::uint32_t left_z = kNoName;
-  for (std::size_t i = 0; i < band.kinds.size(); ++i) {
-    const std::uint32_t xy = band.names.xy[i];
-    const std::uint32_t z = band.names.z_and_kind[i];
-    const std::uint32_t from_left = (xy ^ left_xy) | (z ^ left_z);
-    const std::uint32_t from_above =
-        (xy ^ band.names_above.xy[i]) | (z ^ band.names_above.z_and_kind[i]);
-    const bool is_same = from_left == 0 || from_above == 0;
-    band.columns[found] = static_cast<std::uint32_t>(i);
-    found += static_cast<std::size_t>(!is_same || z >= kUncertainName);
-    left_xy = xy;
-    left_z = z;
+/// Flags the rays that end elsewhere than those of the pixels to the left and above, or may do so.
+void FrameRays::findNewEnds(Band& band) const {
+  const auto count = static_cast<std::size_t>(width_);
+  const std::uint32_t* xy = band.names.xy.data();
+  const std::uint32_t* z = band.names.z_and_kind.data();
+  const std::uint32_t* xy_above = band.names_above.xy.data();
+  const std::uint32_t* z_above = band.names_above.z_and_kind.data();
+  std::uint8_t* is_new = band.is_new.data();
+  is_new[0] = 1;
+  for (std::size_t i = 1; i < count; ++i) {
+    const std::uint32_t from_left = (xy[i] ^ xy[i - 1]) | (z[i] ^ z[i - 1]);
+    const std::uint32_t from_above = (xy[i] ^ xy_above[i]) | (z[i] ^ z_above[i]);
+    const std::uint32_t differs = (from_left != 0 ? 1U : 0U) & (from_above != 0 ? 1U : 0U);
+    is_new[i] = static_cast<std::uint8_t>(differs | z[i] >> 31);
   }
-  return found;
 }
 
 void FrameRays::mark(const RangeImage& image, std::size_t first, Band& band) const {
   nameEnds(band);
-  const std::size_t found = findNewEnds(band);
-  const Point3f* ends = image.ends.data() + first;
-  for (std::size_t k = 0; k < found; ++k) {
-    const std::size_t i = band.columns[k];
-    const RayEnd kind = band.kinds[i];
-    if (kind == RayEnd::kNone) continue;
-    Point3f end = ends[i];
-    if (band.squared_range[i] > max_squared_range_) {
-      if (kind == RayEnd::kHit) continue;
-      const float cut = band.cut[i];
-      end = {image.origin.x + band.direction[0][i] * cut,
-             image.origin.y + band.direction[1][i] * cut,
-             image.origin.z + band.direction[2][i] * cut};
+  findNewEnds(band);
+  for (std::size_t i = 0; i < band.is_new.size(); i += sizeof(std::uint64_t)) {
+    std::uint64_t any = 0;
+    std::memcpy(&any, band.is_new.data() + i, sizeof(any));
+    if (any == 0) continue;
+    for (std::size_t k = i; k < i + sizeof(any); ++k) {
+      if (band.is_new[k] != 0 && !marksNothing(band.names.z_and_kind[k]))
+        markEnd(image, first, k, band);
     }
-    band.marks.push_back({voxelAt(end, limits_.resolution_m), kind});
   }
   std::swap(band.names, band.names_above);
+}
+
+void FrameRays::markEnd(const RangeImage& image, std::size_t first, std::size_t column,
+                        Band& band) const {
+  const std::uint32_t xy = band.names.xy[column];
+  const std::uint32_t z = band.names.z_and_kind[column];
+  MarkedVoxel& mark = band.marks.emplace_back();
+  mark.kind = band.kinds[column];
+  if ((z & kUncertainName) == 0) {
+    mark.voxel.x = name_base_[0] + static_cast<int>(xy & kNameMask);
+    mark.voxel.y = name_base_[1] + static_cast<int>(xy >> 16);
+    mark.voxel.z = name_base_[2] + static_cast<int>(z & kNameMask);
+  } else if ((z & kBeyond << kKindShift) == 0) {
+    mark.voxel = voxelAt(image.ends[first + column], limits_.resolution_m);
+  } else {
+    const float cut = band.cut[column];
+    const Point3f end{image.origin.x + band.direction[0][column] * cut,
+                      image.origin.y + band.direction[1][column] * cut,
+                      image.origin.z + band.direction[2][column] * cut};
+    mark.voxel = voxelAt(end, limits_.resolution_m);
+  }
 }
 
 void FrameRays::setBounds() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -30,8 +31,9 @@ struct MarkedVoxel {
   RayEnd kind = RayEnd::kNone;
 };
 
-/// So many rays are tested at once.
+/// So many rays are treated at once.
 inline constexpr int kRaysAtOnce = 8;
+using Float8 = Eigen::Array<float, kRaysAtOnce, 1>;
 
 /// The rays of one frame in voxels from the sensor, cut at the maximum range, by pixel of the
 /// lattice. Arrays are longer than the lattice by kRaysAtOnce rays that meet nothing.
@@ -42,6 +44,7 @@ class FrameRays {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] double resolution_m() const { return limits_.resolution_m; }
   /// Along the optical axis, of the rays' ends; 0 where there is no ray.
   [[nodiscard]] const std::vector<float>& depth() const { return depth_; }
   /// 1 / (end - sensor) by axis; kNoRay on all of them where there is no ray.
@@ -75,8 +78,8 @@ class FrameRays {
     std::vector<RayEnd> kinds;
     RowNames names;
     RowNames names_above;
-    std::vector<std::uint32_t> columns;  ///< Whose ends are new.
-    std::array<float, 3> lowest{};       ///< Of the cut rays, from the sensor [m].
+    std::vector<std::uint8_t> is_new;  ///< Whether a ray's end is no neighbour's.
+    std::array<float, 3> lowest{};     ///< Of the cut rays, from the sensor [m].
     std::array<float, 3> highest{};
     std::vector<MarkedVoxel> marks;
     std::size_t dropped = 0;
@@ -88,13 +91,16 @@ class FrameRays {
   void dropUnusable(Band& band) const;
   void cutAndInvert(std::size_t first, Band& band);
   void nameEnds(Band& band) const;
-  [[nodiscard]] static std::size_t findNewEnds(Band& band);
+  void findNewEnds(Band& band) const;
   void mark(const RangeImage& image, std::size_t first, Band& band) const;
+  void markEnd(const RangeImage& image, std::size_t first, std::size_t column, Band& band) const;
   void setBounds();
 
   RayLimits limits_;
   float max_squared_range_ = 0.0F;      ///< The largest that is not beyond the range [m2].
   std::array<float, 3> name_origin_{};  ///< Place of the sensor in the names of voxels.
+  std::array<int, 3> name_base_{};      ///< Voxel of the name 0.
+  float surely_inside_ = 0.0F;          ///< A voxel, so far from its centre at most.
   int width_ = 0;
   int height_ = 0;
   std::array<float, 3> forward_{};  ///< Optical axis in the map frame.

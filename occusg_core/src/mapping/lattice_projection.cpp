@@ -31,6 +31,8 @@ LatticeProjection::LatticeProjection(const RangeImage& image, float slack_pixels
       cube.y[corner] = at.y;
       cube.z[corner] = at.z;
     }
+    cube.width = cube.x.maxCoeff();
+    cube.height = cube.y.maxCoeff();
     cube.depth = cube.z.maxCoeff();
   }
 }

@@ -8,11 +8,10 @@
 #include <cstddef>
 
 #include "mapping/depth_bounds.hpp"
+#include "mapping/frame_rays.hpp"
 #include "occusg/perception/range_image.hpp"
 
 namespace occusg {
-
-using Float8 = Eigen::Array<float, 8, 1>;
 
 /// A place seen from the camera, in voxels; x and y are multiplied by the focal lengths, so that
 /// x / z and y / z are pixels from the principal point.
@@ -35,7 +34,9 @@ struct CubeCorners {
   Float8 x;
   Float8 y;
   Float8 z;
-  float depth = 0.0F;  ///< Half extent along the optical axis.
+  float width = 0.0F;  ///< Half extents, as the corners.
+  float height = 0.0F;
+  float depth = 0.0F;  ///< Along the optical axis.
 
   [[nodiscard]] ViewPoint operator[](unsigned corner) const {
     return {x[corner], y[corner], z[corner]};
@@ -129,10 +130,14 @@ class LatticeProjection {
     return pixels;
   }
 
-  /// Pixels over a length at a depth, both in voxels.
-  [[nodiscard]] float columnsOver(float length, float depth) const {
-    return length / (pitch_x_ * std::max(depth, kNearest));
+  /// Columns to both sides of its centre's pixel a cube covers, when it is not far off the axis.
+  [[nodiscard]] int columnsAbout(const ViewPoint& center, std::size_t size) const {
+    return static_cast<int>(corners_[size].width / std::max(center.z, kNearest) + 0.5F);
   }
+  [[nodiscard]] int rowsAbout(const ViewPoint& center, std::size_t size) const {
+    return static_cast<int>(corners_[size].height / std::max(center.z, kNearest) + 0.5F);
+  }
+  /// Rows over a length at a depth, both in voxels.
   [[nodiscard]] float rowsOver(float length, float depth) const {
     return length / (pitch_y_ * std::max(depth, kNearest));
   }

@@ -138,7 +138,7 @@ MapChange OccupancyMap::insert(const RangeImage& image) {
     return insert(toPointCloud(image));
   const Carving carving =
       config_.mode == IntegrationMode::kExact ? Carving::kExact : Carving::kFast;
-  change.columns = integrate(carver_->carve(*rays_, image, *tree_, *settled_, carving, *workers_));
+  change.columns = integrate(carver_->carve(*rays_, image, *settled_, carving, *workers_));
   return change;
 }
 
@@ -159,8 +159,7 @@ std::size_t OccupancyMap::memoryBytes() const {
 }
 
 std::vector<Cell> OccupancyMap::integrate(const std::vector<VoxelBlock>& blocks) {
-  settled_->update(blocks);
-  return tree_->integrate(blocks);
+  return tree_->integrate(blocks, *settled_, *workers_);
 }
 
 /// @return false when the ray leaves the map or is none; nothing is marked then.
