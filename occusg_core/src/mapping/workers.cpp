@@ -2,18 +2,6 @@
 #include "mapping/workers.hpp"
 
 namespace occusg {
-namespace {
-
-/// The steps of one frame follow each other within microseconds, and to wake a thread takes longer:
-/// so often the processor is offered to others before a thread goes to sleep.
-constexpr int kPatience = 256;
-
-template <typename Condition>
-void waitAwake(Condition&& condition) {
-  for (int i = 0; i < kPatience && !condition(); ++i) std::this_thread::yield();
-}
-
-}  // namespace
 
 Workers::Workers(int threads) {
   for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
@@ -43,36 +31,21 @@ void Workers::run(int count, const std::function<void(int)>& task) {
   }
   started_.notify_all();
   takeTasks();
-  awaitOthers();
-}
-
-void Workers::awaitOthers() {
-  const auto is_done = [this] { return busy_ == 0; };
-  waitAwake(is_done);
-  if (is_done()) return;
   std::unique_lock<std::mutex> lock(mutex_);
-  finished_.wait(lock, is_done);
-}
-
-void Workers::awaitRound(unsigned served) {
-  const auto is_called = [&] { return closing_ || round_ != served; };
-  waitAwake(is_called);
-  if (is_called()) return;
-  std::unique_lock<std::mutex> lock(mutex_);
-  started_.wait(lock, is_called);
+  finished_.wait(lock, [this] { return busy_ == 0; });
 }
 
 void Workers::serve() {
   unsigned served = 0;
+  std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
-    awaitRound(served);
+    started_.wait(lock, [&] { return closing_ || round_ != served; });
     if (closing_) return;
     served = round_;
+    lock.unlock();
     takeTasks();
-    if (--busy_ != 0) continue;
-    // Whoever found threads busy is asleep once the lock is free, and hears this.
-    const std::lock_guard<std::mutex> lock(mutex_);
-    finished_.notify_one();
+    lock.lock();
+    if (--busy_ == 0) finished_.notify_one();
   }
 }
 
