@@ -73,41 +73,40 @@ PixelBox cellsOf(const PixelBox& pixels) {
 
 }  // namespace
 
-void DepthBounds::build(const std::vector<float>& depth, int width, int height, Workers& workers) {
+void DepthBounds::begin(int width, int height, float largest) {
   width_ = width;
   height_ = height;
-  const int columns = cellsOver(width);
-  const int rows = cellsOver(height);
-  const auto count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  largest_ = largest;
+  unit_ = std::max(largest_, kSmallestDepth) / kSteps;
+  const auto count =
+      static_cast<std::size_t>(cellsOver(width)) * static_cast<std::size_t>(cellsOver(height));
   for (std::size_t level = 0; level < kLevels; ++level) {
     nearest_[level].resize(count);
     farthest_[level].resize(count);
   }
-  const Eigen::Map<const Eigen::ArrayXf> depths(depth.data(),
-                                                static_cast<Eigen::Index>(width) * height);
-  largest_ = count == 0 ? 0.0F : depths.maxCoeff();
-  unit_ = std::max(largest_, kSmallestDepth) / kSteps;
+}
+
+void DepthBounds::buildNearest(const std::vector<float>& depth) {
   const float steps = 1.0F / unit_;
-  workers.run(2, [&](int table) {
-    if (table == 0) {
-      // Rounding of the product is below half a step.
-      reduce(
-          depth, smaller, [steps](float value) { return std::max(value * steps - 0.5F, 0.0F); },
-          nearest_[0]);
-    } else {
-      reduce(
-          depth, larger,
-          [steps](float value) { return value * steps + (value > 0.0F ? 1.5F : 0.0F); },
-          farthest_[0]);
-    }
-    for (std::size_t level = 1; level < kLevels; ++level) {
-      if (table == 0) {
-        combine(nearest_[level - 1], nearest_[level], level, columns, rows, smaller);
-      } else {
-        combine(farthest_[level - 1], farthest_[level], level, columns, rows, larger);
-      }
-    }
-  });
+  // Rounding of the product is below half a step.
+  reduce(
+      depth, smaller, [steps](float value) { return std::max(value * steps - 0.5F, 0.0F); },
+      nearest_[0]);
+  for (std::size_t level = 1; level < kLevels; ++level) {
+    combine(nearest_[level - 1], nearest_[level], level, cellsOver(width_), cellsOver(height_),
+            smaller);
+  }
+}
+
+void DepthBounds::buildFarthest(const std::vector<float>& depth) {
+  const float steps = 1.0F / unit_;
+  reduce(
+      depth, larger, [steps](float value) { return value * steps + (value > 0.0F ? 1.5F : 0.0F); },
+      farthest_[0]);
+  for (std::size_t level = 1; level < kLevels; ++level) {
+    combine(farthest_[level - 1], farthest_[level], level, cellsOver(width_), cellsOver(height_),
+            larger);
+  }
 }
 
 /// The best depth of each cell, rounded outwards.

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "mapping/workers.hpp"
-
 namespace occusg {
 
 /// Pixels [left, right] x [top, bottom], both ends included.
@@ -26,8 +24,12 @@ struct PixelBox {
 /// held in 16 bits, rounded outwards by at most 1/32000 of the frame's largest depth.
 class DepthBounds {
  public:
+  /// Begins anew; then the two tables, which may be built at the same time, are all that is needed.
+  /// @param largest of the depths.
+  void begin(int width, int height, float largest);
   /// @param depth row-major, width * height, not negative; 0 where there is none.
-  void build(const std::vector<float>& depth, int width, int height, Workers& workers);
+  void buildNearest(const std::vector<float>& depth);
+  void buildFarthest(const std::vector<float>& depth);
 
   [[nodiscard]] float largest() const { return largest_; }
   /// @param box not empty, inside the image.

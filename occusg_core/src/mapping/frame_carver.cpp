@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "mapping/morton.hpp"
@@ -19,7 +20,7 @@ constexpr int kUndivided = 32;       ///< Pixels.
 constexpr float kRowSpacing = 0.4F;  ///< Of the rows looked at in fast mode [voxels].
 constexpr std::array<int, 5> kRowOrder = {0, -1, 1, -2, 2};
 constexpr float kShortestPass = 1e-4F;  ///< Share of a ray, above what rounding can make up.
-constexpr int kTasksPerThread = 8;
+constexpr int kTasksPerThread = 24;
 constexpr float kDepthSlack = 0.002F;  ///< Voxels.
 constexpr float kPixelSlack = 0.02F;
 constexpr float kNearestSurface = 4.0F;  ///< Voxels; nearer ones are as good as never seen.
@@ -59,9 +60,11 @@ const std::vector<VoxelBlock>& FrameCarver::carve(const FrameRays& rays, const R
   settled_ = &settled;
   carving_ = carving;
   openFrame(rays, image);
-  depth_.build(rays.depth(), rays.width(), rays.height(), workers);
-  openWindow(rays.bounds());
-  mark(rays);
+  depth_.begin(rays.width(), rays.height(), rays.largestDepth());
+  const std::array<std::function<void()>, 3> tables = {[&] { mark(rays); },
+                                                       [&] { depth_.buildNearest(rays.depth()); },
+                                                       [&] { depth_.buildFarthest(rays.depth()); }};
+  workers.run(3, [&](int table) { tables[static_cast<std::size_t>(table)](); });
 
   const int tasks = workers.threads() == 1 ? 1 : kTasksPerThread * workers.threads();
   const int rows = window_.size.y * window_.size.z;
@@ -111,6 +114,7 @@ void FrameCarver::openWindow(const std::array<VoxelIndex, 2>& bounds) {
 }
 
 void FrameCarver::mark(const FrameRays& rays) {
+  openWindow(rays.bounds());
   marked_.clear();
   rays.forEachMark([this](const MarkedVoxel& mark) {
     const VoxelIndex block{blockOf(mark.voxel.x), blockOf(mark.voxel.y), blockOf(mark.voxel.z)};

@@ -59,6 +59,7 @@ constexpr float kRoundings = 16.0F;
 constexpr std::uint32_t kUncertainName = std::uint32_t{1} << 31;
 constexpr std::uint32_t kNoName = ~std::uint32_t{0};
 constexpr unsigned kKindShift = 16;
+constexpr int kBandsPerThread = 10;    ///< Rows differ in what there is to do.
 constexpr std::uint32_t kBeyond = 4;  ///< Beside the kind: the ray is cut.
 constexpr std::uint32_t kNameMask = 0xFFFF;
 
@@ -94,16 +95,21 @@ std::size_t FrameRays::prepare(const RangeImage& image, const RayLimits& limits,
   max_squared_range_ = static_cast<float>(max_squared);
   if (static_cast<double>(max_squared_range_) > max_squared)
     max_squared_range_ = std::nextafter(max_squared_range_, 0.0F);
-  resize(image, workers.threads());
-  workers.run(workers.threads(), [&](int index) {
+  const int bands = workers.threads() == 1 ? 1 : kBandsPerThread * workers.threads();
+  resize(image, bands);
+  workers.run(bands, [&](int index) {
     Band& band = bands_[static_cast<std::size_t>(index)];
-    const int end = height_ * (index + 1) / workers.threads();
-    for (int row = height_ * index / workers.threads(); row < end; ++row)
+    const int end = height_ * (index + 1) / bands;
+    for (int row = height_ * index / bands; row < end; ++row)
       prepareRow(image, static_cast<std::size_t>(row) * static_cast<std::size_t>(width_), band);
   });
   setBounds();
   std::size_t dropped = 0;
-  for (const Band& band : bands_) dropped += band.dropped;
+  largest_depth_ = 0.0F;
+  for (const Band& band : bands_) {
+    dropped += band.dropped;
+    largest_depth_ = std::max(largest_depth_, band.largest_depth);
+  }
   return dropped;
 }
 
@@ -144,6 +150,7 @@ void FrameRays::resize(const RangeImage& image, int bands) {
     }
     band.lowest = {};
     band.highest = {};
+    band.largest_depth = 0.0F;
     band.marks.clear();
     band.dropped = 0;
   }
@@ -213,6 +220,7 @@ void FrameRays::cutAndInvert(std::size_t first, Band& band) {
   const auto max_range_m = static_cast<float>(limits_.max_range_m);
   std::array<Float8, 3> lowest;
   std::array<Float8, 3> highest;
+  Float8 largest = Float8::Constant(band.largest_depth);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     lowest[axis] = band.lowest[axis];
     highest[axis] = band.highest[axis];
@@ -224,6 +232,7 @@ void FrameRays::cutAndInvert(std::size_t first, Band& band) {
     Float8 depth = forward_[0] * at(band.direction[0], i) + forward_[1] * at(band.direction[1], i) +
                    forward_[2] * at(band.direction[2], i);
     depth = (depth * cut * (1.0F / resolution_m)).max(0.0F);
+    largest = largest.max(depth);
     store(depth, rays, depth_.data() + first + i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Float8 direction = at(band.direction[axis], i) * cut;
@@ -237,6 +246,7 @@ void FrameRays::cutAndInvert(std::size_t first, Band& band) {
     band.lowest[axis] = lowest[axis].minCoeff();
     band.highest[axis] = highest[axis].maxCoeff();
   }
+  band.largest_depth = largest.maxCoeff();
 }
 
 void FrameRays::nameEnds(Band& band) const {

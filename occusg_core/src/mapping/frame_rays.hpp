@@ -47,6 +47,7 @@ class FrameRays {
   [[nodiscard]] double resolution_m() const { return limits_.resolution_m; }
   /// Along the optical axis, of the rays' ends; 0 where there is no ray.
   [[nodiscard]] const std::vector<float>& depth() const { return depth_; }
+  [[nodiscard]] float largestDepth() const { return largest_depth_; }
   /// 1 / (end - sensor) by axis; kNoRay on all of them where there is no ray.
   [[nodiscard]] const std::array<std::vector<float>, 3>& inverse() const { return inverse_; }
   /// Calls `visit` with every voxel a ray ends in, some of them several times.
@@ -81,6 +82,7 @@ class FrameRays {
     std::vector<std::uint8_t> is_new;  ///< Whether a ray's end is no neighbour's.
     std::array<float, 3> lowest{};     ///< Of the cut rays, from the sensor [m].
     std::array<float, 3> highest{};
+    float largest_depth = 0.0F;
     std::vector<MarkedVoxel> marks;
     std::size_t dropped = 0;
   };
@@ -106,6 +108,7 @@ class FrameRays {
   std::array<float, 3> forward_{};  ///< Optical axis in the map frame.
   std::array<double, 3> origin_{};
   std::array<VoxelIndex, 2> bounds_{};
+  float largest_depth_ = 0.0F;
   std::vector<float> depth_;
   std::array<std::vector<float>, 3> inverse_;
   std::vector<Band> bands_;

@@ -2,6 +2,30 @@
 #include "mapping/workers.hpp"
 
 namespace occusg {
+namespace {
+
+/// The steps of one frame follow each other within microseconds, and to wake a thread takes longer:
+/// a thread looks so often, some 50 to 200 us, before it goes to sleep. It keeps its processor
+/// meanwhile: offered to other programs, on a busy machine it comes back a time slice later.
+constexpr int kLooks = 4000;
+
+/// Leaves what the core shares to others for some cycles.
+void pauseCore() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+template <typename Condition>
+bool comesSoon(const Condition& condition) {
+  for (int i = 0; i < kLooks; ++i) {
+    if (condition()) return true;
+    pauseCore();
+  }
+  return false;
+}
+
+}  // namespace
 
 Workers::Workers(int threads) {
   for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
@@ -31,21 +55,34 @@ void Workers::run(int count, const std::function<void(int)>& task) {
   }
   started_.notify_all();
   takeTasks();
+  awaitOthers();
+}
+
+void Workers::awaitOthers() {
+  const auto are_done = [this] { return busy_ == 0; };
+  if (comesSoon(are_done)) return;
   std::unique_lock<std::mutex> lock(mutex_);
-  finished_.wait(lock, [this] { return busy_ == 0; });
+  finished_.wait(lock, are_done);
+}
+
+void Workers::awaitRound(unsigned served) {
+  const auto is_called = [&] { return closing_ || round_ != served; };
+  if (comesSoon(is_called)) return;
+  std::unique_lock<std::mutex> lock(mutex_);
+  started_.wait(lock, is_called);
 }
 
 void Workers::serve() {
   unsigned served = 0;
-  std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
-    started_.wait(lock, [&] { return closing_ || round_ != served; });
+    awaitRound(served);
     if (closing_) return;
     served = round_;
-    lock.unlock();
     takeTasks();
-    lock.lock();
-    if (--busy_ == 0) finished_.notify_one();
+    if (--busy_ != 0) continue;
+    // Whoever found threads busy is asleep once the lock is free, and hears this.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    finished_.notify_one();
   }
 }
 

@@ -28,6 +28,8 @@ class Workers {
 
  private:
   void serve();
+  void awaitRound(unsigned served);
+  void awaitOthers();
   void takeTasks();
 
   std::vector<std::thread> threads_;
@@ -37,9 +39,9 @@ class Workers {
   const std::function<void(int)>* task_ = nullptr;
   int count_ = 0;
   std::atomic<int> next_{0};
-  unsigned round_ = 0;  ///< Of the call at hand.
-  int busy_ = 0;        ///< Threads that have not finished it.
-  bool closing_ = false;
+  std::atomic<unsigned> round_{0};  ///< Of the call at hand.
+  std::atomic<int> busy_{0};        ///< Threads that have not finished it.
+  std::atomic<bool> closing_{false};
 };
 
 }  // namespace occusg
