@@ -33,7 +33,7 @@ namespace occusg {
 namespace {
 
 constexpr int kStride = 2;
-constexpr std::size_t kTurn_frames = 50;
+constexpr std::size_t kTurn_frames = 125;
 constexpr std::size_t kDeepFrames = 80;
 constexpr std::size_t kMostFrames = 250;
 constexpr std::size_t kAttempts = 5;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/workers.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace occusg {
 namespace {
 
@@ -27,8 +30,8 @@ bool comesSoon(const Condition& condition) {
 
 }  // namespace
 
-Workers::Workers(int threads) {
-  for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+Workers::Workers(int threads) : shares_(static_cast<std::size_t>(std::max(threads, 1))) {
+  for (int i = 1; i < threads; ++i) threads_.emplace_back([this, i] { serve(i); });
 }
 
 Workers::~Workers() {
@@ -48,13 +51,16 @@ void Workers::run(int count, const std::function<void(int)>& task) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     task_ = &task;
-    count_ = count;
-    next_ = 0;
+    for (int i = 0; i < threads(); ++i) {
+      Share& share = shares_[static_cast<std::size_t>(i)];
+      share.next = count * i / threads();
+      share.end = count * (i + 1) / threads();
+    }
     busy_ = static_cast<int>(threads_.size());
     ++round_;
   }
   started_.notify_all();
-  takeTasks();
+  takeTasks(0);
   awaitOthers();
 }
 
@@ -72,13 +78,13 @@ void Workers::awaitRound(unsigned served) {
   started_.wait(lock, is_called);
 }
 
-void Workers::serve() {
+void Workers::serve(int thread) {
   unsigned served = 0;
   while (true) {
     awaitRound(served);
     if (closing_) return;
     served = round_;
-    takeTasks();
+    takeTasks(thread);
     if (--busy_ != 0) continue;
     // Whoever found threads busy is asleep once the lock is free, and hears this.
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -86,8 +92,11 @@ void Workers::serve() {
   }
 }
 
-void Workers::takeTasks() {
-  for (int i = next_++; i < count_; i = next_++) (*task_)(i);
+void Workers::takeTasks(int thread) {
+  for (int i = 0; i < threads(); ++i) {
+    Share& share = shares_[static_cast<std::size_t>((thread + i) % threads())];
+    for (int k = share.next++; k < share.end; k = share.next++) (*task_)(k);
+  }
 }
 
 }  // namespace occusg

@@ -23,22 +23,28 @@ class Workers {
   ~Workers();
 
   [[nodiscard]] int threads() const { return static_cast<int>(threads_.size()) + 1; }
-  /// Calls `task` with 0 .. count - 1 and returns when all are done. Tasks must not throw.
+  /// Calls `task` with 0 .. count - 1 and returns when all are done. Tasks must not throw. Each
+  /// thread begins with a share of its own, the same one every time, as what it left there may
+  /// still be in its cache; who is done with that helps the others.
   void run(int count, const std::function<void(int)>& task);
 
  private:
-  void serve();
+  struct alignas(64) Share {
+    std::atomic<int> next{0};
+    int end = 0;
+  };
+
+  void serve(int thread);
   void awaitRound(unsigned served);
   void awaitOthers();
-  void takeTasks();
+  void takeTasks(int thread);
 
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable started_;
   std::condition_variable finished_;
   const std::function<void(int)>* task_ = nullptr;
-  int count_ = 0;
-  std::atomic<int> next_{0};
+  std::vector<Share> shares_;       ///< One a thread.
   std::atomic<unsigned> round_{0};  ///< Of the call at hand.
   std::atomic<int> busy_{0};        ///< Threads that have not finished it.
   std::atomic<bool> closing_{false};
