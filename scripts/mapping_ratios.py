@@ -9,7 +9,8 @@ import sys
 
 # The real Kinect recording stands for an office.
 NAMES = {"kinect_office": "office"}
-WAYS = ("octomap", "octomap_discretized", "exact", "fast", "exact_2_threads")
+WAYS = ("octomap_ms", "octomap_discretized_ms", "exact_ms", "fast_ms", "exact_wall_ms",
+        "exact_2_threads_wall_ms")
 # What Google Benchmark adds to each row.
 OWN_KEYS = {"name", "run_name", "run_type", "time_unit", "family_index", "repetitions", "threads",
             "per_family_instance_index", "repetition_index", "iterations", "real_time"}
@@ -32,13 +33,13 @@ def integration_summary(row):
 
 def main():
     result = {}
-    print("| scene | " + " | ".join(way + " ms" for way in WAYS) + " |")
+    print("| scene | " + " | ".join(WAYS) + " |")
     print("| --- |" + " --- |" * len(WAYS))
     for row in read_rows(sys.argv[1:]):
         family, _, rest = row["run_name"].partition("/")
         if family == "integration":
             scene = rest.split("/")[0]
-            print(f"| {scene} | " + " | ".join(f"{row[way + '_ms']:.2f}" for way in WAYS) + " |")
+            print(f"| {scene} | " + " | ".join(f"{row[way]:.2f}" for way in WAYS) + " |")
             result[NAMES.get(scene, scene)] = integration_summary(row)
         else:
             result[row["run_name"]] = {key: value for key, value in row.items()
