@@ -59,7 +59,7 @@ constexpr float kRoundings = 16.0F;
 constexpr std::uint32_t kUncertainName = std::uint32_t{1} << 31;
 constexpr std::uint32_t kNoName = ~std::uint32_t{0};
 constexpr unsigned kKindShift = 16;
-constexpr int kBandsPerThread = 10;    ///< Rows differ in what there is to do.
+constexpr int kBandsPerThread = 10;   ///< Rows differ in what there is to do.
 constexpr std::uint32_t kBeyond = 4;  ///< Beside the kind: the ray is cut.
 constexpr std::uint32_t kNameMask = 0xFFFF;
 
