@@ -46,7 +46,7 @@ FreeSpace generatedFloor(int rooms) {
   const int rows = (rooms + across - 1) / across;
   const CellBox box{{0, 0},
                     {across * kPitch_cells + kWall_cells, rows * kPitch_cells + kWall_cells}};
-  FreeSpace layer{GridFrame{kResolution_m}, Grid<std::int8_t>(box, kFullObstacle), box};
+  FreeSpace layer{GridFrame{kResolution_m}, FreeSpaceCells(box, kFullObstacle), box};
   const int size = kPitch_cells - kWall_cells;
   for (int room = 0; room < rooms; ++room) {
     const int x = room % across * kPitch_cells + kWall_cells;
@@ -153,7 +153,7 @@ BENCHMARK(memoryOverUpdates)->Iterations(100000)->Repetitions(1)->Unit(benchmark
 FreeSpace mapOf(const std::string& path) {
   const cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
   const CellBox box{{0, 0}, {image.cols, image.rows}};
-  FreeSpace layer{GridFrame{kMapResolution_m}, Grid<std::int8_t>(box, kFullObstacle), box};
+  FreeSpace layer{GridFrame{kMapResolution_m}, FreeSpaceCells(box, kFullObstacle), box};
   for (int y = 0; y < image.rows; ++y)
     for (int x = 0; x < image.cols; ++x)
       if (image.at<std::uint8_t>(image.rows - 1 - y, x) > kBrightestObstacle)

@@ -32,8 +32,7 @@ class Building {
   explicit Building(int rooms) : rooms_(rooms), columns_(squareSide(rooms)) {
     layer_.frame.resolution_m = kResolution_m;
     const int rows = (rooms + columns_ - 1) / columns_;
-    layer_.cells =
-        Grid<std::int8_t>({{0, 0}, {columns_ * kRoomCells, rows * kRoomCells}}, kUnknown);
+    layer_.cells = FreeSpaceCells({{0, 0}, {columns_ * kRoomCells, rows * kRoomCells}}, kUnknown);
     for (int room = 0; room < rooms; ++room) paintRoom(room);
     for (int room = 0; room < rooms; ++room) joinRoom(room);
   }

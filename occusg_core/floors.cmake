@@ -31,6 +31,7 @@ occusg_add_floor(mapping
     frame_carver.cpp
     frame_rays.cpp
     frame_voxels.cpp
+    free_space_cells.cpp
     free_space_layer.cpp
     lattice_projection.cpp
     local_floor.cpp

@@ -48,7 +48,8 @@ OccupancyMapConfig configFor(const OctomapHeader& header, const PipelineConfig& 
 }
 
 void report(const OctomapHeader& header, const FreeSpace& layer) {
-  const auto& cells = layer.cells.values();
+  const Grid<std::int8_t> dense = layer.cells.dense();
+  const std::vector<std::int8_t>& cells = dense.values();
   const auto free = static_cast<double>(std::count(cells.begin(), cells.end(), kFree));
   const auto unknown = static_cast<double>(std::count(cells.begin(), cells.end(), kUnknown));
   const double cell_m2 = layer.frame.cellArea();

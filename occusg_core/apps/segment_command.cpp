@@ -162,7 +162,7 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
     return roomsOf(*found, map);
   });
   const Decomposition& decomposition = *found;
-  times.setMemory(Stage::kFreeSpace, map.free_space.cells.values().size());
+  times.setMemory(Stage::kFreeSpace, map.free_space.cells.memoryBytes());
   times.setMemory(Stage::kDecomposition,
                   decomposition.labels.values().size() * sizeof(std::int32_t));
   setPeakMemory(times);

@@ -24,7 +24,7 @@ void checkCells(const occusg::OverheadGaps& gaps, const std::string& where,
                 const FreeSpace& layer) {
   const nav_msgs::MapMetaData& info = gaps.info;
   const CellBox& box = layer.cells.box();
-  const std::size_t cells = layer.cells.values().size();
+  const std::size_t cells = layer.cells.size();
   if (info.width != static_cast<std::uint32_t>(box.width()) ||
       info.height != static_cast<std::uint32_t>(box.height()) || gaps.gap_bottom.size() != cells ||
       gaps.gap_top.size() != cells) {
@@ -51,7 +51,7 @@ occusg::OverheadGaps toGapsMsg(const FreeSpace& layer, const std_msgs::Header& h
   gaps.header = header;
   gaps.info = toGridInfo(layer, header);
   const CellBox& box = layer.cells.box();
-  const std::size_t cells = layer.cells.values().size();
+  const std::size_t cells = layer.cells.size();
   gaps.gap_bottom.resize(cells);
   gaps.gap_top.resize(cells);
   std::size_t i = 0;

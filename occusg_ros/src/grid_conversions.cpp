@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "occusg/error.hpp"
@@ -19,6 +20,7 @@ namespace {
 using occusg::Cell;
 using occusg::CellBox;
 using occusg::FreeSpace;
+using occusg::FreeSpaceCells;
 using occusg::GridFrame;
 using occusg::Point2;
 using occusg::refuse;
@@ -90,10 +92,6 @@ std::int8_t checkedValue(std::int8_t value, const std::string& where) {
 
 bool liesOnCells(const Placement& placement) { return std::abs(placement.yaw_rad) < 1e-9; }
 
-FreeSpace emptyLayer(double resolution_m, const CellBox& box) {
-  return {GridFrame{resolution_m}, occusg::Grid<std::int8_t>(box, occusg::kUnknown), box};
-}
-
 FreeSpace movedToCells(const nav_msgs::OccupancyGrid& grid, const Placement& placement,
                        const std::string& where) {
   const double resolution_m = grid.info.resolution;
@@ -101,10 +99,10 @@ FreeSpace movedToCells(const nav_msgs::OccupancyGrid& grid, const Placement& pla
                  static_cast<int>(std::lround(placement.origin.y / resolution_m))};
   const CellBox box{
       min, {min.x + static_cast<int>(grid.info.width), min.y + static_cast<int>(grid.info.height)}};
-  FreeSpace layer = emptyLayer(resolution_m, box);
-  std::transform(grid.data.begin(), grid.data.end(), layer.cells.values().begin(),
+  occusg::Grid<std::int8_t> cells(box, occusg::kUnknown);
+  std::transform(grid.data.begin(), grid.data.end(), cells.values().begin(),
                  [&](std::int8_t value) { return checkedValue(value, where); });
-  return layer;
+  return {GridFrame{resolution_m}, FreeSpaceCells(cells), box};
 }
 
 CellBox boundsOf(const nav_msgs::MapMetaData& info, const Placement& placement) {
@@ -125,7 +123,7 @@ FreeSpace sampledAtCells(const nav_msgs::OccupancyGrid& grid, const Placement& p
   if (static_cast<double>(box.width()) * box.height() > occusg::kMaxLayerCells)
     throw refuse(where, "the turned map is too large", "turn it upright or make it smaller");
   for (const std::int8_t value : grid.data) checkedValue(value, where);
-  FreeSpace layer = emptyLayer(resolution_m, box);
+  FreeSpace layer{GridFrame{resolution_m}, FreeSpaceCells(box, occusg::kUnknown), box};
   for (int y = box.min.y; y < box.max.y; ++y) {
     for (int x = box.min.x; x < box.max.x; ++x) {
       const Point2 inside = placement.fromMap(layer.frame.center({x, y}));
@@ -159,7 +157,7 @@ nav_msgs::OccupancyGrid toGridMsg(const FreeSpace& layer, const std_msgs::Header
   nav_msgs::OccupancyGrid grid;
   grid.header = header;
   grid.info = toGridInfo(layer, header);
-  grid.data.assign(layer.cells.values().begin(), layer.cells.values().end());
+  grid.data = std::move(layer.cells.dense().values());
   return grid;
 }
 
@@ -171,19 +169,6 @@ FreeSpace toFreeSpace(const nav_msgs::OccupancyGrid& grid, const std::string& wh
   // The message has room for a float; what was meant is the nearest short decimal.
   layer.frame.resolution_m = std::round(layer.frame.resolution_m * 1e6) / 1e6;
   return layer;
-}
-
-CellBox differingCells(const FreeSpace& before, const FreeSpace& after) {
-  CellBox differing;
-  const CellBox all = before.cells.box().including(after.cells.box());
-  for (int y = all.min.y; y < all.max.y; ++y) {
-    for (int x = all.min.x; x < all.max.x; ++x) {
-      if (before.cells.valueOr({x, y}, occusg::kUnknown) !=
-          after.cells.valueOr({x, y}, occusg::kUnknown))
-        differing = differing.including(Cell{x, y});
-    }
-  }
-  return differing;
 }
 
 sensor_msgs::Image toLabelImage(const occusg::Decomposition& decomposition,

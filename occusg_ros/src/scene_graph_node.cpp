@@ -283,7 +283,7 @@ void SceneGraphNode::update(const WaitingMap::Map& map, const occusg::Pose& pose
   occusg::FreeSpace layer = toFreeSpace(*map.grid, grid_subscriber_.getTopic());
   if (map.gaps) addGaps(*map.gaps, gaps_subscriber_.getTopic(), layer);
   const bool is_comparable = layer.frame.resolution_m == layer_.frame.resolution_m;
-  const occusg::CellBox changed = is_comparable ? differingCells(layer_, layer)
+  const occusg::CellBox changed = is_comparable ? layer.cells.differingFrom(layer_.cells)
                                                 : layer.cells.box().including(layer_.cells.box());
   layer.changed = changed;
   layer_ = std::move(layer);

@@ -68,7 +68,7 @@ MapFiles toMapFiles(const FreeSpace& layer, const std::string& picture_name) {
     return {pgmOf(Grid<std::int8_t>({{0, 0}, {1, 1}}, kUnknown)),
             yamlOf({0.0, 0.0}, resolution_m, picture_name)};
   }
-  return {pgmOf(layer.cells),
+  return {pgmOf(layer.cells.dense()),
           yamlOf(layer.frame.corner(layer.cells.box().min), resolution_m, picture_name)};
 }
 

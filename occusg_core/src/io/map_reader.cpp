@@ -110,8 +110,9 @@ Grid<std::int8_t> cellsOf(const cv::Mat& pixels, const CellBox& box, const MapDe
   return cells;
 }
 
-void checkHasFreeCell(const FreeSpace& layer, const MapDescription& map, const std::string& path) {
-  const auto& values = layer.cells.values();
+void checkHasFreeCell(const Grid<std::int8_t>& cells, const MapDescription& map,
+                      const std::string& path) {
+  const std::vector<std::int8_t>& values = cells.values();
   if (std::find(values.begin(), values.end(), kFree) != values.end()) return;
   throw refuse(
       path, "has no free cell",
@@ -131,11 +132,11 @@ GridMap readMap(const std::string& path, const MapReaderOptions& options) {
   check(map, path);
   const cv::Mat pixels = readGreyPicture(map.picture_path, options.max_cells);
   const Placement place = placed(map, pixels, path);
-  GridMap result{std::filesystem::path(path).stem().string(),
-                 {GridFrame{map.resolution_m}, cellsOf(pixels, place.box, map), place.box},
-                 place.offset};
-  checkHasFreeCell(result.free_space, map, path);
-  return result;
+  const Grid<std::int8_t> cells = cellsOf(pixels, place.box, map);
+  checkHasFreeCell(cells, map, path);
+  return {std::filesystem::path(path).stem().string(),
+          {GridFrame{map.resolution_m}, FreeSpaceCells(cells), place.box},
+          place.offset};
 }
 
 }  // namespace occusg

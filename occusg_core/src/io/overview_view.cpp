@@ -56,7 +56,7 @@ bool isDrawable(const Point2& point) {
 
 std::optional<Bounds2> shownBounds(const FreeSpace& layer, const OverviewContent& content) {
   Extent extent;
-  if (const CellBox known = knownCells(layer.cells); !known.empty()) {
+  if (const CellBox known = knownCells(layer.cells.dense()); !known.empty()) {
     extent.add(layer.frame.corner(known.min));
     extent.add(layer.frame.corner(known.max));
   }

@@ -99,18 +99,6 @@ int obstacleLevel(const ColumnBits& column, const VoxelRun& free) {
   return std::min<int>(kFullObstacle, 2 * (100 * column.occupiedIn(free) / free.length()));
 }
 
-CellBox differingCells(const Grid<std::int8_t>& before, const Grid<std::int8_t>& after) {
-  const CellBox both = before.box().including(after.box());
-  CellBox changed;
-  for (int y = both.min.y; y < both.max.y; ++y) {
-    for (int x = both.min.x; x < both.max.x; ++x) {
-      if (before.valueOr({x, y}, kUnknown) != after.valueOr({x, y}, kUnknown))
-        changed = changed.including(Cell{x, y});
-    }
-  }
-  return changed;
-}
-
 }  // namespace
 
 /// The map being read, and what is reused between its columns.
@@ -141,7 +129,7 @@ const FreeSpace& FreeSpaceLayer::recompute(const OccupancyMap& map) {
   const VoxelColumns columns = VoxelColumns::of(map.tree());
   fresh.apply(columns, columns.knownColumns());
   fresh.queue_.shrink_to_fit();  // it held every cell
-  fresh.layer_.changed = differingCells(layer_.cells, fresh.layer_.cells);
+  fresh.layer_.changed = fresh.layer_.cells.differingFrom(layer_.cells);
   *this = std::move(fresh);
   return layer_;
 }
@@ -149,7 +137,7 @@ const FreeSpace& FreeSpaceLayer::recompute(const OccupancyMap& map) {
 void FreeSpaceLayer::reset() { *this = FreeSpaceLayer(config_, layer_.frame); }
 
 std::size_t FreeSpaceLayer::memoryBytes() const {
-  return layer_.cells.values().capacity() + layer_.evidence.memoryBytes() + columns_.memoryBytes() +
+  return layer_.cells.memoryBytes() + layer_.evidence.memoryBytes() + columns_.memoryBytes() +
          floors_.memoryBytes() + queue_.capacity() * sizeof(Cell);
 }
 
@@ -171,7 +159,7 @@ void FreeSpaceLayer::cover(const CellBox& known_columns) {
                  "at most " + std::to_string(kMaxLayerCells) +
                      " cells are supported: look for a pose that jumped, or use larger cells");
   }
-  layer_.cells.cover(box, kUnknown);
+  layer_.cells.cover(box);
 }
 
 void FreeSpaceLayer::apply(const VoxelColumns& columns, const std::vector<Cell>& changed) {

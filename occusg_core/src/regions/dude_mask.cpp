@@ -83,11 +83,13 @@ int cleaningReach(GridCleaning cleaning) {
   return cleaning == GridCleaning::kPublished ? std::max(kFreeGrowth.up, kWallGrowth.up) : 0;
 }
 
-Grid<std::uint8_t> cleanedFreeSpace(const Grid<std::int8_t>& layer, const CellBox& box,
+Grid<std::uint8_t> cleanedFreeSpace(const FreeSpaceCells& layer, const CellBox& box,
                                     GridCleaning cleaning) {
   if (box.empty()) return {};
-  if (cleaning == GridCleaning::kPublished) return publishedCleaning(layer, box);
-  return selected(layer, box, [](auto value) { return value == kFree; });
+  const Grid<std::int8_t> reached =
+      layer.dense(box.grown(cleaningReach(cleaning)).intersected(layer.box()));
+  if (cleaning == GridCleaning::kPublished) return publishedCleaning(reached, box);
+  return selected(reached, box, [](auto value) { return value == kFree; });
 }
 
 DudeMask dudeMask(Grid<std::uint8_t> cells, double max_hole_cells,

@@ -42,7 +42,7 @@ void forEachCell(const CellBox& box, const Visit& visit) {
 }  // namespace
 
 Grid<std::int8_t> withLintelsClosed(const FreeSpace& layer, const LintelHeights& heights) {
-  Grid<std::int8_t> cells = layer.cells;
+  Grid<std::int8_t> cells = layer.cells.dense();
   if (layer.evidence.empty() || heights.highest_m < heights.lowest_m) return cells;
   const double resolution_m = layer.frame.resolution_m;
   const auto voxels = [&](double height_m) { return std::lround(height_m / resolution_m); };
@@ -59,9 +59,9 @@ Grid<std::int8_t> withLintelsClosed(const FreeSpace& layer, const LintelHeights&
   return cells;
 }
 
-void openLintels(const Grid<std::int8_t>& cells, const Grid<std::int8_t>& closed,
+void openLintels(const FreeSpaceCells& cells, const Grid<std::int8_t>& closed,
                  Grid<std::int32_t>& labels) {
-  const auto isFree = [](const Grid<std::int8_t>& grid, const Cell& cell) {
+  const auto isFree = [](const auto& grid, const Cell& cell) {
     return grid.valueOr(cell, kUnknown) == kFree;
   };
   std::int32_t last = 0;

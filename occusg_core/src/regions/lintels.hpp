@@ -21,7 +21,7 @@ struct LintelHeights {
 
 /// Labels the free cells without a label, connected ones alike, and gives those closed in `closed`
 /// alone to the nearest region beside them.
-void openLintels(const Grid<std::int8_t>& cells, const Grid<std::int8_t>& closed,
+void openLintels(const FreeSpaceCells& cells, const Grid<std::int8_t>& closed,
                  Grid<std::int32_t>& labels);
 
 }  // namespace occusg

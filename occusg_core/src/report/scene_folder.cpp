@@ -47,9 +47,9 @@ std::optional<SeenFloor> seenFloorIn(const std::string& folder) {
   const GridMap map = readMap(path);
   SeenFloor floor{map.free_space.frame, map.offset,
                   Grid<std::uint8_t>(map.free_space.cells.box(), 0)};
-  const auto& cells = map.free_space.cells.values();
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    floor.seen.values()[i] = cells[i] == kUnknown ? 0 : 1;
+  const Grid<std::int8_t> cells = map.free_space.cells.dense();
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    floor.seen.values()[i] = cells.values()[i] == kUnknown ? 0 : 1;
   return floor;
 }
 

@@ -34,10 +34,6 @@ namespace occusg_ros {
 [[nodiscard]] occusg::FreeSpace toFreeSpace(const nav_msgs::OccupancyGrid& grid,
                                             const std::string& where);
 
-/// Bounds of the cells that differ; cells only one layer has count as unknown in the other.
-[[nodiscard]] occusg::CellBox differingCells(const occusg::FreeSpace& before,
-                                             const occusg::FreeSpace& after);
-
 /// The region of every cell of `grid` as 32SC1, in the grid's order of rows; 0: none.
 [[nodiscard]] sensor_msgs::Image toLabelImage(const occusg::Decomposition& decomposition,
                                               const nav_msgs::OccupancyGrid& grid);

@@ -26,7 +26,7 @@ class TwoRooms {
  public:
   TwoRooms() {
     layer_.frame.resolution_m = 0.05;
-    layer_.cells = Grid<std::int8_t>({{-4, -4}, {164, 84}}, kFullObstacle);
+    layer_.cells = FreeSpaceCells({{-4, -4}, {164, 84}}, kFullObstacle);
     paint({{1, 1}, {79, 79}}, kFree);
     paint({{81, 1}, {159, 79}}, kFree);
     paint({{79, 30}, {81, 50}}, kFree);

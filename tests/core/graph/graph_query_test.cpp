@@ -163,7 +163,7 @@ TEST_F(Flat, APersonsLabelStaysUntilItIsTakenBack) {
 /// Free cells [0, 80) x [0, 80) with walls on three sides; to the east what `east` says.
 FreeSpace roomWithEast(std::int8_t east) {
   FreeSpace layer;
-  layer.cells = Grid<std::int8_t>({{-10, -10}, {90, 90}}, kUnknown);
+  layer.cells = FreeSpaceCells({{-10, -10}, {90, 90}}, kUnknown);
   for (int y = -1; y <= 80; ++y)
     for (int x = -1; x <= 80; ++x) layer.cells.at({x, y}) = kFullObstacle;
   for (int y = 0; y < 80; ++y) {

@@ -19,7 +19,7 @@ class PaintedFloor {
  public:
   explicit PaintedFloor(const NavigationLayerConfig& config) : navigation_(config, 0.0) {
     layer_.frame.resolution_m = 0.05;
-    layer_.cells = Grid<std::int8_t>({{-60, -60}, {60, 60}}, kUnknown);
+    layer_.cells = FreeSpaceCells({{-60, -60}, {60, 60}}, kUnknown);
   }
 
   /// Paints [x0, x1) x [y0, y1).

@@ -68,7 +68,7 @@ TEST_F(MapReader, TakesAMapServerMapWithItsFirstRowOnTop) {
   EXPECT_EQ(map.name, "map");
   EXPECT_EQ(map.free_space.frame.resolution_m, 0.05);
   EXPECT_EQ(map.free_space.cells.box(), (CellBox{{-20, 40}, {-17, 42}}));
-  EXPECT_EQ(map.free_space.cells.values(),
+  EXPECT_EQ(map.free_space.cells.dense().values(),
             (std::vector<std::int8_t>{kFree, kFree, kFree, kFree, kUnknown, kFullObstacle}));
   EXPECT_EQ(map.offset, (Point2{0.0, 0.0}));
 }

@@ -10,7 +10,7 @@ namespace {
 FreeSpace twoRooms() {
   FreeSpace layer;
   layer.frame.resolution_m = 0.05;
-  layer.cells = Grid<std::int8_t>(CellBox{{0, 0}, {82, 80}}, kFree);
+  layer.cells = FreeSpaceCells(CellBox{{0, 0}, {82, 80}}, kFree);
   for (int y = 0; y < 80; ++y) {
     const bool is_door = y >= 30 && y < 50;
     for (int x = 40; x < 42 && !is_door; ++x) layer.cells.at({x, y}) = kFullObstacle;

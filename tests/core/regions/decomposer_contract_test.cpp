@@ -309,8 +309,9 @@ TYPED_TEST(DecomposerContract, RoomInsideARingIsItsOwnRegionAndAHoleOfTheRing) {
 TYPED_TEST(DecomposerContract, UnknownBoundsRegionsAsObstaclesDo) {
   FreeSpace walls = twoRooms(0.9);
   FreeSpace unseen = walls;
-  for (std::int8_t& cell : unseen.cells.values())
-    if (cell != kFree) cell = kUnknown;
+  forCells(unseen.cells.box(), [&](const Cell& cell) {
+    if (!isFree(unseen, cell)) unseen.cells.at(cell) = kUnknown;
+  });
   const Decomposition expected = this->decompose(walls);
   expectEqual(this->decompose(unseen), expected);
 }

@@ -197,7 +197,7 @@ TEST(DudeDecomposer, GrowingLayerKeepsRegionsInPlace) {
   FreeSpace layer = threeRooms();
   DudeDecomposer decomposer({});
   const Decomposition before = decomposer.update(layer);
-  layer.cells.cover(CellBox{{-40, -60}, {300, 200}}, kUnknown);
+  layer.cells.cover(CellBox{{-40, -60}, {300, 200}});
   const Decomposition& after = decomposer.update(layer);
   EXPECT_EQ(after.labels.box(), layer.cells.box());
   EXPECT_EQ(after.regions.size(), 3U);

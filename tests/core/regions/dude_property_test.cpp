@@ -38,7 +38,7 @@ DudeDecomposerConfig smallScale(std::mt19937& random) {
 
 FreeSpace blocked(int width, int height) {
   const CellBox box{{0, 0}, {width, height}};
-  return {GridFrame{kResolution_m}, Grid<std::int8_t>(box, kFullObstacle), box};
+  return {GridFrame{kResolution_m}, FreeSpaceCells(box, kFullObstacle), box};
 }
 
 void setRectangle(FreeSpace& layer, const CellBox& rectangle, std::int8_t value) {
@@ -62,8 +62,9 @@ FreeSpace randomLayer(std::mt19937& random) {
   const CellBox box = layer.cells.box();
   switch (random() % 8) {
     case 0:  // Noise.
-      for (std::int8_t& cell : layer.cells.values())
-        cell = random() % 3 == 0 ? kFullObstacle : kFree;
+      for (int y = 0; y < box.max.y; ++y)
+        for (int x = 0; x < box.max.x; ++x)
+          layer.cells.at({x, y}) = random() % 3 == 0 ? kFullObstacle : kFree;
       return layer;
     case 1:  // Chessboard.
       for (int y = 0; y < box.max.y; ++y)
@@ -97,7 +98,7 @@ FreeSpace randomLayer(std::mt19937& random) {
 
 FreeSpace moved(const FreeSpace& layer, const GridSymmetry& symmetry) {
   const CellBox box = symmetry.box(layer.cells.box());
-  FreeSpace image{layer.frame, Grid<std::int8_t>(box, kUnknown), box};
+  FreeSpace image{layer.frame, FreeSpaceCells(box, kUnknown), box};
   for (int y = layer.cells.box().min.y; y < layer.cells.box().max.y; ++y)
     for (int x = layer.cells.box().min.x; x < layer.cells.box().max.x; ++x)
       image.cells.at(symmetry.cell({x, y})) = layer.cells.at({x, y});
@@ -107,8 +108,9 @@ FreeSpace moved(const FreeSpace& layer, const GridSymmetry& symmetry) {
 /// Cells that are no region's although they are free; small components may be.
 std::int64_t unlabelledFreeCells(const FreeSpace& layer, const Decomposition& decomposition) {
   std::int64_t count = 0;
-  for (std::size_t i = 0; i < layer.cells.values().size(); ++i)
-    if (layer.cells.values()[i] == kFree && decomposition.labels.values()[i] == kNoRegion) ++count;
+  const Grid<std::int8_t> cells = layer.cells.dense();
+  for (std::size_t i = 0; i < cells.values().size(); ++i)
+    if (cells.values()[i] == kFree && decomposition.labels.values()[i] == kNoRegion) ++count;
   return count;
 }
 
@@ -178,8 +180,9 @@ void expectInvariants(const FreeSpace& layer, const Decomposition& decomposition
     EXPECT_EQ(unlabelledFreeCells(layer, decomposition), 0);
   }
   if (config.max_ignored_hole_m == 0.0) {
-    for (std::size_t i = 0; i < layer.cells.values().size(); ++i) {
-      if (layer.cells.values()[i] == kFree) continue;
+    const Grid<std::int8_t> cells = layer.cells.dense();
+    for (std::size_t i = 0; i < cells.values().size(); ++i) {
+      if (cells.values()[i] == kFree) continue;
       ASSERT_EQ(decomposition.labels.values()[i], kNoRegion);
     }
   }
@@ -227,7 +230,7 @@ TEST(DudeProperty, LargerThresholdNeverGivesMoreRegions) {
     std::mt19937 random(static_cast<unsigned>(i));
     const FreeSpace layer = randomLayer(random);
     DudeDecomposerConfig config = smallScale(random);
-    std::size_t fewest = layer.cells.values().size() + 1;
+    std::size_t fewest = layer.cells.size() + 1;
     for (const double threshold_m : {0.0, 0.3, 0.6, 1.5, 3.0}) {
       config.depth_threshold_m = threshold_m;
       DudeDecomposer decomposer(config);
@@ -251,7 +254,7 @@ TEST(DudeProperty, InvariantsHoldAfterEveryUpdate) {
       if (random() % 4 == 0) {
         const CellBox larger =
             layer.cells.box().including(randomRectangle(random, layer.cells.box().grown(6), 4));
-        layer.cells.cover(larger, kUnknown);
+        layer.cells.cover(larger);
       }
       layer.changed = randomRectangle(random, layer.cells.box(), 6).intersected(layer.cells.box());
       setRectangle(layer, layer.changed, random() % 2 == 0 ? kFree : kFullObstacle);

@@ -16,7 +16,7 @@ inline FreeSpace drawn(const std::vector<std::string>& rows, double resolution_m
   for (const std::string& row : rows) width = std::max(width, row.size());
   const CellBox box{corner,
                     {corner.x + static_cast<int>(width), corner.y + static_cast<int>(rows.size())}};
-  FreeSpace layer{GridFrame{resolution_m}, Grid<std::int8_t>(box, kUnknown), box};
+  FreeSpace layer{GridFrame{resolution_m}, FreeSpaceCells(box, kUnknown), box};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const int y = box.max.y - 1 - static_cast<int>(i);
     for (std::size_t j = 0; j < rows[i].size(); ++j) {
@@ -36,7 +36,7 @@ inline FreeSpace solid(double width_m, double height_m, double resolution_m = 0.
   const CellBox box{{0, 0},
                     {static_cast<int>(std::lround(width_m / resolution_m)),
                      static_cast<int>(std::lround(height_m / resolution_m))}};
-  return {GridFrame{resolution_m}, Grid<std::int8_t>(box, kFullObstacle), box};
+  return {GridFrame{resolution_m}, FreeSpaceCells(box, kFullObstacle), box};
 }
 
 /// Sets the cells of the rectangle [x0, x1) x [y0, y1) in metres.

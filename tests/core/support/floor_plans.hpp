@@ -32,7 +32,7 @@ inline FreeSpace randomFloorPlan(std::uint32_t seed) {
   const int height = uniform(random, 1, 120);
   const Cell corner{uniform(random, -300, 300), uniform(random, -300, 300)};
   const CellBox box{corner, {corner.x + width, corner.y + height}};
-  FreeSpace layer{GridFrame{0.05}, Grid<std::int8_t>(box, kFree), box};
+  FreeSpace layer{GridFrame{0.05}, FreeSpaceCells(box, kFree), box};
   const int pitch = uniform(random, 8, 60);
   const auto paint = [&](int x0, int y0, int x1, int y1, std::int8_t value) {
     const CellBox painted =
@@ -65,9 +65,10 @@ inline FreeSpace randomFloorPlan(std::uint32_t seed) {
 inline FreeSpace randomNoise(std::uint32_t seed, int free_percent) {
   std::mt19937 random(seed);
   const CellBox box{{-20, 7}, {40, 57}};
-  FreeSpace layer{GridFrame{0.05}, Grid<std::int8_t>(box, kUnknown), box};
-  for (std::int8_t& cell : layer.cells.values())
-    if (uniform(random, 0, 99) < free_percent) cell = kFree;
+  FreeSpace layer{GridFrame{0.05}, FreeSpaceCells(box, kUnknown), box};
+  for (int y = box.min.y; y < box.max.y; ++y)
+    for (int x = box.min.x; x < box.max.x; ++x)
+      if (uniform(random, 0, 99) < free_percent) layer.cells.at({x, y}) = kFree;
   return layer;
 }
 
@@ -75,9 +76,9 @@ inline FreeSpace randomNoise(std::uint32_t seed, int free_percent) {
 inline FreeSpace moved(const FreeSpace& layer, const Cell& by) {
   const CellBox& box = layer.cells.box();
   const CellBox target{{box.min.x + by.x, box.min.y + by.y}, {box.max.x + by.x, box.max.y + by.y}};
-  FreeSpace result{layer.frame, Grid<std::int8_t>(target, kUnknown), target};
-  result.cells.values() = layer.cells.values();
-  return result;
+  Grid<std::int8_t> cells(target, kUnknown);
+  cells.values() = layer.cells.dense().values();
+  return {layer.frame, FreeSpaceCells(cells), target};
 }
 
 }  // namespace occusg::testing

@@ -25,7 +25,7 @@ const Cell kOpenToTheSky{1, 3};
 FreeSpace doorway() {
   FreeSpace layer;
   layer.frame.resolution_m = 0.05;
-  layer.cells = occusg::Grid<std::int8_t>(CellBox{{-7, 3}, {2, 5}}, occusg::kFree);
+  layer.cells = occusg::FreeSpaceCells(CellBox{{-7, 3}, {2, 5}}, occusg::kFree);
   ColumnEvidence& lintel = layer.evidence.touch(kLintel);
   lintel.overhead = occusg::Overhead::kOccupied;
   lintel.gap_bottom = 1;

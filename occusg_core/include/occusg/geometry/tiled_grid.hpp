@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -44,6 +45,40 @@ class TiledGrid {
     return tiles_[static_cast<std::size_t>(tile)][placeOf(cell, name)];
   }
 
+  /// Takes over the values of all cells of `values`.
+  void assign(const Grid<T>& values) {
+    forEachRun(values.box(), [&](const Cell& first, int count) {
+      std::copy_n(&values.at(first), count, &touch(first));
+    });
+  }
+
+  /// A copy of the values of a box.
+  [[nodiscard]] Grid<T> dense(const CellBox& box) const {
+    Grid<T> values(box, fill_);
+    forEachRun(box, [&](const Cell& first, int count) {
+      if (const T* run = runAt(first); run != nullptr) std::copy_n(run, count, &values.at(first));
+    });
+    return values;
+  }
+
+  /// Bounds of the cells of `box` whose value is another in `other`.
+  [[nodiscard]] CellBox differingFrom(const TiledGrid& other, const CellBox& box) const {
+    CellBox differing;
+    forEachRun(box, [&](const Cell& first, int count) {
+      const T* here = runAt(first);
+      const T* there = other.runAt(first);
+      const bool are_equal = here != nullptr && there != nullptr
+                                 ? std::equal(here, here + count, there)
+                                 : here == there && fill_ == other.fill_;
+      if (are_equal) return;
+      for (int i = 0; i < count; ++i) {
+        const Cell cell{first.x + i, first.y};
+        if (!(at(cell) == other.at(cell))) differing = differing.including(cell);
+      }
+    });
+    return differing;
+  }
+
   [[nodiscard]] std::size_t memoryBytes() const {
     return tiles_.size() * kTileCells * sizeof(T) +
            directory_.values().size() * sizeof(std::int32_t);
@@ -67,6 +102,26 @@ class TiledGrid {
     const int y = cell.y - tile.y * kTileSide_cells;
     const int x = cell.x - tile.x * kTileSide_cells;
     return static_cast<std::size_t>(y) * kTileSide_cells + static_cast<std::size_t>(x);
+  }
+
+  /// Calls `visit(first cell, count)` for every piece of a row of `box` that lies in one tile.
+  template <typename Visit>
+  static void forEachRun(const CellBox& box, const Visit& visit) {
+    for (int y = box.min.y; y < box.max.y; ++y) {
+      for (int x = box.min.x; x < box.max.x;) {
+        const int end = std::min(box.max.x, kTileSide_cells * (floorOfTile(x) + 1));
+        visit(Cell{x, y}, end - x);
+        x = end;
+      }
+    }
+  }
+
+  /// The value of `cell`, with those of the rest of its row in its tile behind it; null where no
+  /// cell of the tile was touched.
+  [[nodiscard]] const T* runAt(const Cell& cell) const {
+    const Cell name = tileOf(cell);
+    const std::int32_t tile = directory_.valueOr(name, kNoTile);
+    return tile == kNoTile ? nullptr : &tiles_[static_cast<std::size_t>(tile)][placeOf(cell, name)];
   }
 
   /// True when `other` has the values of every touched tile.

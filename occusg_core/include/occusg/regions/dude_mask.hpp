@@ -23,8 +23,8 @@ enum class GridCleaning {
 [[nodiscard]] int cleaningReach(GridCleaning cleaning);
 
 /// 1 for the cells of `box` that are free space after cleaning. Cells beyond the layer are unknown.
-[[nodiscard]] Grid<std::uint8_t> cleanedFreeSpace(const Grid<std::int8_t>& layer,
-                                                  const CellBox& box, GridCleaning cleaning);
+[[nodiscard]] Grid<std::uint8_t> cleanedFreeSpace(const FreeSpaceCells& layer, const CellBox& box,
+                                                  GridCleaning cleaning);
 
 /// Cells to be cut into pieces.
 struct DudeMask {
