@@ -11,7 +11,6 @@
 namespace occusg {
 namespace {
 
-constexpr int kBlockSide = 8;
 constexpr int kHalfBlock = kBlockSide / 2;
 constexpr int kFirstBlock = -32768 / kBlockSide;
 constexpr std::uint64_t kAll = ~std::uint64_t{0};

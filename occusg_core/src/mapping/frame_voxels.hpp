@@ -10,8 +10,13 @@
 
 namespace occusg {
 
+/// Levels below the root of the octree, at which the voxels are.
+inline constexpr unsigned kTreeDepth = 16;
 /// Levels of the octree a block spans: 8 x 8 x 8 voxels.
 inline constexpr unsigned kBlockLevels = 3;
+inline constexpr int kBlockSide = 1 << kBlockLevels;
+/// Levels below the root at which the nodes of blocks are.
+inline constexpr unsigned kBlockDepth = kTreeDepth - kBlockLevels;
 
 /// The marks of one frame in a block of voxels that is a node of the octree. The bits are in the
 /// tree's own order: a word is a grandchild of the block's node, a byte of it a node of 2 x 2 x 2

@@ -7,9 +7,6 @@
 namespace occusg {
 namespace {
 
-constexpr unsigned kTreeDepth = 16;
-constexpr unsigned kBlockDepth = kTreeDepth - kBlockLevels;
-
 unsigned childIndex(const TreeWriter::Update& update, unsigned depth) {
   return static_cast<unsigned>(update.block->code >> (3 * (kBlockDepth - 1 - depth))) & 7U;
 }

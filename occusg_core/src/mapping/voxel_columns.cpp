@@ -10,7 +10,6 @@
 namespace occusg {
 namespace {
 
-constexpr int kBlockSide = 1 << kBlockLevels;
 constexpr int kZeroBlock = kZeroKey / kBlockSide;
 constexpr int kPageSide = 64;
 constexpr int kDirectorySide = 2 * kZeroBlock / kPageSide;

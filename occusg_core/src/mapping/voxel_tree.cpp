@@ -9,9 +9,6 @@
 namespace occusg {
 namespace {
 
-constexpr unsigned kTreeDepth = 16;
-constexpr unsigned kBlockDepth = kTreeDepth - kBlockLevels;
-constexpr int kBlockSide = 1 << kBlockLevels;
 constexpr std::size_t kBlocksAtOnce = 16;
 
 /// Every third bit of a Morton code from the lowest on, packed: one coordinate of the block.

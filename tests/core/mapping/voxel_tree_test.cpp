@@ -22,7 +22,6 @@ namespace occusg {
 namespace {
 
 constexpr int kBlocksASide = 6;
-constexpr int kBlockSide = 8;
 constexpr int kFrames = 20;
 
 /// A voxel's key and its word and bit in a block, in Morton order.
