@@ -56,39 +56,55 @@ void Workers::run(int count, const std::function<void(int)>& task) {
       share.next = count * i / threads();
       share.end = count * (i + 1) / threads();
     }
-    busy_ = static_cast<int>(threads_.size());
-    ++round_;
+    gate_ = ((gate_ / kRound + 1) * kRound) | kOpen;
   }
   started_.notify_all();
   takeTasks(0);
+  gate_ &= ~kOpen;
   awaitOthers();
 }
 
 void Workers::awaitOthers() {
-  const auto are_done = [this] { return busy_ == 0; };
+  const auto are_done = [this] { return gate_ % kOpen == 0; };
   if (comesSoon(are_done)) return;
   std::unique_lock<std::mutex> lock(mutex_);
   finished_.wait(lock, are_done);
 }
 
-void Workers::awaitRound(unsigned served) {
-  const auto is_called = [&] { return closing_ || round_ != served; };
+void Workers::awaitRound(std::uint64_t served) {
+  const auto is_called = [&] {
+    const std::uint64_t gate = gate_;
+    return closing_ || ((gate & kOpen) != 0 && gate / kRound != served);
+  };
   if (comesSoon(is_called)) return;
   std::unique_lock<std::mutex> lock(mutex_);
   started_.wait(lock, is_called);
 }
 
+bool Workers::enter() {
+  std::uint64_t gate = gate_;
+  while ((gate & kOpen) != 0)
+    if (gate_.compare_exchange_weak(gate, gate + 1)) return true;
+  return false;
+}
+
+void Workers::leave() {
+  const std::uint64_t gate = --gate_;
+  if (gate % kOpen != 0 || (gate & kOpen) != 0) return;
+  // Whoever found threads inside is asleep once the lock is free, and hears this.
+  const std::lock_guard<std::mutex> lock(mutex_);
+  finished_.notify_one();
+}
+
 void Workers::serve(int thread) {
-  unsigned served = 0;
+  std::uint64_t served = 0;
   while (true) {
     awaitRound(served);
     if (closing_) return;
-    served = round_;
+    if (!enter()) continue;
+    served = gate_ / kRound;
     takeTasks(thread);
-    if (--busy_ != 0) continue;
-    // Whoever found threads busy is asleep once the lock is free, and hears this.
-    const std::lock_guard<std::mutex> lock(mutex_);
-    finished_.notify_one();
+    leave();
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -25,7 +26,8 @@ class Workers {
   [[nodiscard]] int threads() const { return static_cast<int>(threads_.size()) + 1; }
   /// Calls `task` with 0 .. count - 1 and returns when all are done. Tasks must not throw. Each
   /// thread begins with a share of its own, the same one every time, as what it left there may
-  /// still be in its cache; who is done with that helps the others.
+  /// still be in its cache; who is done with that helps the others. A thread that comes when no
+  /// task is left, on a machine that is busy with other work, is not waited for.
   void run(int count, const std::function<void(int)>& task);
 
  private:
@@ -34,9 +36,17 @@ class Workers {
     int end = 0;
   };
 
+  /// What `gate_` consists of: the number of the call at hand; whether threads may enter it; how
+  /// many are inside, the caller not counted.
+  static constexpr std::uint64_t kOpen = std::uint64_t{1} << 16;
+  static constexpr std::uint64_t kRound = kOpen << 1;
+
   void serve(int thread);
-  void awaitRound(unsigned served);
+  void awaitRound(std::uint64_t served);
   void awaitOthers();
+  /// False when the call at hand is over.
+  bool enter();
+  void leave();
   void takeTasks(int thread);
 
   std::vector<std::thread> threads_;
@@ -44,9 +54,8 @@ class Workers {
   std::condition_variable started_;
   std::condition_variable finished_;
   const std::function<void(int)>* task_ = nullptr;
-  std::vector<Share> shares_;       ///< One a thread.
-  std::atomic<unsigned> round_{0};  ///< Of the call at hand.
-  std::atomic<int> busy_{0};        ///< Threads that have not finished it.
+  std::vector<Share> shares_;  ///< One a thread.
+  std::atomic<std::uint64_t> gate_{0};
   std::atomic<bool> closing_{false};
 };
 
