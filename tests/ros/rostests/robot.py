@@ -17,13 +17,13 @@ CAMERA_FRAME = "camera_optical_frame"
 
 
 def wait_until(condition, timeout_s, what):
-    """Polls on the wall clock; the clock of ROS may stand still."""
+    """Polls on the wall clock; the clock of ROS may stand still. `what`: a text, or what makes it."""
     deadline = time.monotonic() + timeout_s
     while time.monotonic() < deadline:
         if condition():
             return
         time.sleep(0.05)
-    raise AssertionError("not within %g s: %s" % (timeout_s, what))
+    raise AssertionError("not within %g s: %s" % (timeout_s, what() if callable(what) else what))
 
 
 def quaternion(yaw):
@@ -152,11 +152,8 @@ class Diagnostics:
         wait_until(lambda: self.reports >= seen + reports, 20, "reports of " + self.name)
 
     def wait_for(self, key, at_least, timeout_s=20):
-        try:
-            wait_until(lambda: self.count(key) >= at_least, timeout_s, key)
-        except AssertionError:
-            raise AssertionError("%s: not %s >= %d within %g s: %s" % (
-                self.name, key, at_least, timeout_s, self.values)) from None
+        wait_until(lambda: self.count(key) >= at_least, timeout_s,
+                   lambda: "%s of %s >= %d: %s" % (key, self.name, at_least, self.values))
 
 
 class RosLog:
