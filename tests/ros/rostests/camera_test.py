@@ -14,7 +14,7 @@ from nav_msgs.msg import OccupancyGrid
 from occusg.srv import SaveMap
 from std_srvs.srv import SetBool, Trigger
 
-from robot import (Diagnostics, HEIGHT, Robot, WIDTH, camera_info, depth_image, wait_until)
+from robot import (Diagnostics, HEIGHT, Robot, RosLog, WIDTH, camera_info, depth_image, wait_until)
 
 BURST = 60 * 30
 
@@ -25,6 +25,7 @@ class CameraTest(unittest.TestCase):
         rospy.init_node("camera_test")
         cls.robot = Robot(clock=True)
         cls.diagnostics = Diagnostics("/mapping: mapping")
+        cls.log = RosLog()
         cls.layer = None
         cls.layers = 0
         rospy.Subscriber("/occusg/free_space", OccupancyGrid, cls.take_layer)
@@ -167,6 +168,9 @@ class CameraTest(unittest.TestCase):
         self.robot.set_clock(self.step())
         wait_until(lambda: self.diagnostics.stamp_s <= self.now, 20, "mapping's clock is back")
         self.robot.send_pose(self.step())
+        # Before that, an image is older than all transforms there are.
+        wait_until(lambda: self.log.said("/occusg/mapping: ", "Clearing TF buffer"), 20,
+                   "mapping's transforms are of the new time")
         self.drive(3)
         after, _ = self.settled()
         self.assertGreaterEqual(after.width * after.height, info.width * info.height)
@@ -274,7 +278,7 @@ class CameraTest(unittest.TestCase):
 
     def test_zz_reset_empties_the_map(self):
         self.assertTrue(rospy.ServiceProxy("/occusg/mapping/reset", Trigger)().success)
-        wait_until(lambda: self.layer.info.width == 0, 20, "the layer is empty")
+        wait_until(lambda: self.layer.info.width == 0, 5, "the layer is empty")
         self.drive(2)
         self.assertGreater(self.layer.info.width, 0)
 

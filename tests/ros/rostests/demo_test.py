@@ -80,7 +80,7 @@ class DemoTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node("demo_test")
         cls.rooms, cls.graph, cls.clock_s = None, None, 0.0
-        cls.nodes, cls.gaps, cls.sequence = {}, 0, None
+        cls.nodes, cls.gaps, cls.sequence = {}, 0, 0
         cls.shown = {}
         cls.mapping = Diagnostics("/mapping: mapping")
         rospy.Subscriber("/clock", Clock, cls.take_clock, queue_size=1)
@@ -98,7 +98,7 @@ class DemoTest(unittest.TestCase):
     @classmethod
     def take_update(cls, update):
         """As SceneGraphUpdate tells: whoever does not hold what it starts from asks for all."""
-        if cls.sequence is None:
+        if cls.sequence == 0 and update.previous_sequence > 0:
             cls.take_whole()
         if update.sequence <= cls.sequence:
             return

@@ -111,7 +111,7 @@ class LaserTest(unittest.TestCase):
         before = graph().graph
         del self.updates[:]
         rospy.ServiceProxy("/occusg/set_room_label", SetRoomLabel)(room, "office")
-        wait_until(lambda: any(u.rooms for u in self.updates), 20, "an update")
+        wait_until(lambda: any(u.rooms for u in self.updates), 5, "an update")
         update = next(u for u in self.updates if u.rooms)
         self.assertEqual(update.sequence, update.previous_sequence + 1)
         self.assertGreaterEqual(update.previous_sequence, before.sequence)

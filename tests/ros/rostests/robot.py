@@ -17,7 +17,7 @@ CAMERA_FRAME = "camera_optical_frame"
 
 
 def wait_until(condition, timeout_s, what):
-    """Polls on the wall clock; the clock of ROS may stand still. `what`: a text, or what makes it."""
+    """Polls on the wall clock; the clock of ROS may stand still. `what`: text or its maker."""
     deadline = time.monotonic() + timeout_s
     while time.monotonic() < deadline:
         if condition():
@@ -157,12 +157,14 @@ class Diagnostics:
 
 
 class RosLog:
-    """What the nodes say."""
+    """What the nodes say, each line after the name of its node."""
 
     def __init__(self):
         self.lines = []
-        self.subscriber = rospy.Subscriber("/rosout", Log, lambda line: self.lines.append(line.msg),
-                                           queue_size=1000)
+        self.subscriber = rospy.Subscriber("/rosout", Log, self.receive, queue_size=1000)
+
+    def receive(self, line):
+        self.lines.append("%s: %s" % (line.name, line.msg))
 
     def said(self, *words):
         return any(all(word in line for word in words) for line in list(self.lines))
