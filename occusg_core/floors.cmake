@@ -6,7 +6,8 @@ occusg_add_floor(geometry
     polygon_overlap.cpp
     polygon_validity.cpp
     pose.cpp
-  LIBRARIES CGAL::CGAL Polyclipping::Polyclipping)
+  LIBRARIES CGAL::CGAL Polyclipping::Polyclipping
+  ALONE polygon_overlap.cpp)
 
 occusg_add_floor(perception
   SOURCES
@@ -43,7 +44,8 @@ occusg_add_floor(mapping
     voxel_tree.cpp
     workers.cpp
   USES geometry perception
-  LIBRARIES occusg_octomap Threads::Threads)
+  LIBRARIES occusg_octomap Threads::Threads
+  ALONE frame_rays.cpp)
 
 occusg_add_floor(regions
   SOURCES
@@ -100,7 +102,8 @@ occusg_add_floor(graph
     scene_graph.cpp
     seen_apart.cpp
     spatial_index.cpp
-  USES geometry perception mapping regions)
+  USES geometry perception mapping regions
+  ALONE room_labels.cpp)
 
 occusg_add_floor(io
   SOURCES
@@ -142,7 +145,8 @@ occusg_add_floor(io
     spark_dsg_file.cpp
     text_lines.cpp
   USES geometry perception mapping regions graph
-  LIBRARIES nlohmann_json::nlohmann_json yaml-cpp opencv_core opencv_imgproc opencv_imgcodecs)
+  LIBRARIES nlohmann_json::nlohmann_json yaml-cpp opencv_core opencv_imgproc opencv_imgcodecs
+  ALONE object_labels.cpp scene_graph_file.cpp)
 
 occusg_add_floor(evaluation
   SOURCES
@@ -158,7 +162,8 @@ occusg_add_floor(evaluation
     score_estimates.cpp
     truth_check.cpp
   USES geometry
-  LIBRARIES nlohmann_json::nlohmann_json opencv_core opencv_imgproc)
+  LIBRARIES nlohmann_json::nlohmann_json opencv_core opencv_imgproc
+  ALONE room_metrics.cpp)
 
 occusg_add_floor(report
   SOURCES

@@ -14,7 +14,7 @@ namespace po = boost::program_options;
 constexpr const char* kDepthThreshold = "regions.dude.depth_threshold_m";
 constexpr const char* kDudeParameters = "regions.dude.";
 
-CommandHelp help() {
+CommandHelp ablateHelp() {
   return {
       "occusg ablate SEQUENCE... -o OUT (--d-thr VALUES | --param KEY=VALUES) [options]",
       "Runs the recordings once for each value of one parameter and writes what 'occusg batch'\n"
@@ -26,7 +26,7 @@ CommandHelp help() {
       "SEQUENCE"};
 }
 
-po::options_description options() {
+po::options_description ablateOptions() {
   po::options_description options = batchOptionsDescription();
   options.add_options()("param", po::value<std::string>(), "KEY=VALUE,VALUE,...: what is varied")(
       "d-thr", po::value<std::string>(),
@@ -86,7 +86,7 @@ std::vector<Configuration> configurationsFrom(const po::variables_map& values) {
 }  // namespace
 
 ExitCode ablateCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, ablateHelp(), ablateOptions());
   if (helpWasPrinted(values)) return kFine;
   BatchOptions options = batchOptionsFrom(values);
   options.configurations = configurationsFrom(values);

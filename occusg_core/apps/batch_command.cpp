@@ -15,7 +15,7 @@ namespace {
 namespace po = boost::program_options;
 using Texts = std::vector<std::string>;
 
-CommandHelp help() {
+CommandHelp batchHelp() {
   return {
       "occusg batch SEQUENCE... -o OUT [options]",
       "Runs many recordings under one or more configurations, compares the rooms with the\n"
@@ -30,7 +30,7 @@ CommandHelp help() {
       "SEQUENCE"};
 }
 
-po::options_description options() {
+po::options_description batchOptions() {
   po::options_description options = batchOptionsDescription();
   options.add_options()("config", po::value<Texts>()->composing(),
                         "a row: 'default', 'paper' or a YAML file; may be given again")(
@@ -81,7 +81,7 @@ std::vector<Configuration> configurationsFrom(const po::variables_map& values) {
 }  // namespace
 
 ExitCode batchCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, batchHelp(), batchOptions());
   if (helpWasPrinted(values)) return kFine;
   BatchOptions options = batchOptionsFrom(values);
   options.configurations = configurationsFrom(values);

@@ -21,7 +21,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-CommandHelp help() {
+CommandHelp evalHelp() {
   return {
       "occusg eval PREDICTED TRUTH [options]",
       "Compares predicted rooms with annotated ones. Each side is a rooms.json or a 16-bit grey\n"
@@ -36,7 +36,7 @@ CommandHelp help() {
       {"PREDICTED", "TRUTH"}};
 }
 
-po::options_description options() {
+po::options_description evalOptions() {
   po::options_description options("Options");
   options.add_options()("align", po::value<std::string>()->default_value("none"),
                         "how the truth is moved onto the prediction: none, centroid or search")(
@@ -109,7 +109,7 @@ void print(const RoomMetrics& metrics) {
 }  // namespace
 
 ExitCode evalCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, evalHelp(), evalOptions());
   if (helpWasPrinted(values)) return kFine;
 
   RoomMetricsOptions metrics_options;

@@ -7,7 +7,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-CommandHelp help() {
+CommandHelp mergeHelp() {
   return {
       "occusg merge FOLDER... -o OUT [options]",
       "Writes results.csv, results.json and report.html of batches that were run in shards, on\n"
@@ -19,7 +19,7 @@ CommandHelp help() {
       "FOLDER"};
 }
 
-po::options_description options() {
+po::options_description mergeOptions() {
   po::options_description options("Options");
   options.add_options()("output,o", po::value<std::string>()->required(),
                         "folder for tables and report; created when missing")(
@@ -30,7 +30,7 @@ po::options_description options() {
 }  // namespace
 
 ExitCode mergeCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, mergeHelp(), mergeOptions());
   if (helpWasPrinted(values)) return kFine;
   const auto folders = values["FOLDER"].as<std::vector<std::string>>();
   const BatchResults batch = collectResults(folders);

@@ -19,7 +19,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-CommandHelp help() {
+CommandHelp projectHelp() {
   return {"occusg project MAP -o OUT [options]",
           "Makes the 2D free-space layer of a saved OctoMap (.bt or .ot, OcTree or ColorOcTree).\n"
           "The resolution is the file's; everything else of mapping.free_space in the\n"
@@ -31,7 +31,7 @@ CommandHelp help() {
           {"MAP"}};
 }
 
-po::options_description options() {
+po::options_description projectOptions() {
   po::options_description options("Options");
   addOutputOption(options);
   addConfigOption(options);
@@ -62,7 +62,7 @@ void report(const OctomapHeader& header, const FreeSpace& layer) {
 }  // namespace
 
 ExitCode projectCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, projectHelp(), projectOptions());
   if (helpWasPrinted(values)) return kFine;
 
   const PipelineConfig config = loadConfig(values["config"].as<std::string>());

@@ -40,7 +40,7 @@ struct RunOutcome {
   bool interrupted = false;
 };
 
-CommandHelp help() {
+CommandHelp runHelp() {
   return {
       "occusg run SEQUENCE -o OUT [options]",
       "Takes a recorded RGB-D sequence through the whole pipeline and writes what it found.\n\n"
@@ -63,7 +63,7 @@ CommandHelp help() {
       {"SEQUENCE"}};
 }
 
-po::options_description options() {
+po::options_description runOptions() {
   po::options_description options("Options");
   addOutputOption(options);
   addConfigOption(options);
@@ -236,7 +236,7 @@ void reportBadInput(const SequenceReader& sequence, const RunOutcome& outcome) {
 }  // namespace
 
 ExitCode runCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, runHelp(), runOptions());
   if (helpWasPrinted(values)) return kFine;
 
   const PipelineConfig config = configFrom(values);

@@ -25,7 +25,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-CommandHelp help() {
+CommandHelp segmentHelp() {
   return {"occusg segment MAP -o OUT [options]",
           "Cuts a finished 2D map into rooms.\n\n"
           "MAP is a map_server YAML file, or an 8-bit grey PGM or PNG alone, which takes "
@@ -42,7 +42,7 @@ CommandHelp help() {
           {"MAP"}};
 }
 
-po::options_description options() {
+po::options_description segmentOptions() {
   po::options_description options("Options");
   addOutputOption(options);
   addConfigOption(options);
@@ -144,7 +144,7 @@ std::string drawingPng(const Decomposer& decomposer, const Decomposition& decomp
 }  // namespace
 
 ExitCode segmentCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, segmentHelp(), segmentOptions());
   if (helpWasPrinted(values)) return kFine;
 
   const PipelineConfig config = configFrom(values);

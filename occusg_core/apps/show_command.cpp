@@ -15,7 +15,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-CommandHelp help() {
+CommandHelp showHelp() {
   return {"occusg show FILE [options]",
           "Reads a scene_graph.json back, checks it, and prints its rooms, objects and doors.\n"
           "Rooms are named by their number, as in rooms.json. --query answers one question:\n\n" +
@@ -26,7 +26,7 @@ CommandHelp help() {
           {"FILE"}};
 }
 
-po::options_description options() {
+po::options_description showOptions() {
   po::options_description options("Options");
   options.add_options()("query", po::value<std::string>(), "answer this instead of the tables");
   return options;
@@ -96,7 +96,7 @@ void printDoors(const SceneGraph& graph) {
 }  // namespace
 
 ExitCode showCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, showHelp(), showOptions());
   if (helpWasPrinted(values)) return kFine;
   std::optional<GraphQuestion> asked;
   if (const auto query = given<std::string>(values, "query")) asked = questionIn(*query);

@@ -11,7 +11,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-CommandHelp help() {
+CommandHelp truthHelp() {
   return {"occusg truth mp3d HOUSE -o FILE [options]",
           "Writes the annotated rooms of a Matterport3D .house file as rooms.json, as the paper's\n"
           "evaluation takes them: a room a region, its footprint the union of its floors and\n"
@@ -21,7 +21,7 @@ CommandHelp help() {
           {"FORMAT", "HOUSE"}};
 }
 
-po::options_description options() {
+po::options_description truthOptions() {
   po::options_description options("Options");
   options.add_options()("output,o", po::value<std::string>()->required(),
                         "the rooms.json to write")("level", po::value<int>(),
@@ -32,7 +32,7 @@ po::options_description options() {
 }  // namespace
 
 ExitCode truthCommand(const std::vector<std::string>& arguments) {
-  const po::variables_map values = parse(arguments, help(), options());
+  const po::variables_map values = parse(arguments, truthHelp(), truthOptions());
   if (helpWasPrinted(values)) return kFine;
   const std::string format = values["FORMAT"].as<std::string>();
   if (format != "mp3d") throw UsageError("the format is '" + format + "'; allowed is mp3d");

@@ -14,7 +14,7 @@
 namespace occusg {
 namespace {
 
-double ratio(std::size_t a, std::size_t b) {
+double countRatio(std::size_t a, std::size_t b) {
   return b == 0 ? 0.0 : static_cast<double>(a) / static_cast<double>(b);
 }
 
@@ -75,20 +75,21 @@ std::string comparable(const std::string& label) {
 }  // namespace
 
 std::optional<double> RelationScore::recall() const {
-  return n_truth == 0 ? std::nullopt : std::optional<double>(ratio(found, n_truth));
+  return n_truth == 0 ? std::nullopt : std::optional<double>(countRatio(found, n_truth));
 }
 
 std::optional<double> RelationScore::precision() const {
-  return n_truth == 0 ? std::nullopt : std::optional<double>(ratio(found, n_predicted));
+  return n_truth == 0 ? std::nullopt : std::optional<double>(countRatio(found, n_predicted));
 }
 
 std::optional<double> RelationScore::f1() const {
   return n_truth == 0 ? std::nullopt
-                      : std::optional<double>(ratio(2 * found, n_truth + n_predicted));
+                      : std::optional<double>(countRatio(2 * found, n_truth + n_predicted));
 }
 
 std::optional<double> ObjectScore::containment() const {
-  return in_a_room == 0 ? std::nullopt : std::optional<double>(ratio(in_right_room, in_a_room));
+  return in_a_room == 0 ? std::nullopt
+                        : std::optional<double>(countRatio(in_right_room, in_a_room));
 }
 
 RelationScore adjacencyScore(const std::vector<RoomPair>& predicted,

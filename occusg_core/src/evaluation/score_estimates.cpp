@@ -25,7 +25,7 @@ constexpr std::array<Estimate ThresholdEstimates::*, 6> kThresholdEstimates{
     &ThresholdEstimates::f1,          &ThresholdEstimates::mean_iou,
     &ThresholdEstimates::mean_iou_gt, &ThresholdEstimates::boundary_f1};
 
-std::optional<double> ratio(double a, double b) {
+std::optional<double> ratioOrNone(double a, double b) {
   return b > 0.0 ? std::optional<double>(a / b) : std::nullopt;
 }
 
@@ -50,7 +50,7 @@ Values macroValues(const std::vector<Values>& scenes, const Sample& sample) {
       sum += *scenes[scene][i];
       defined += 1.0;
     }
-    means[i] = ratio(sum, defined);
+    means[i] = ratioOrNone(sum, defined);
   }
   return means;
 }
@@ -65,13 +65,13 @@ struct PooledCounts {
 };
 
 void appendPooled(const PooledCounts& pool, Values& values) {
-  const auto recall = ratio(pool.matches, pool.n_truth);
-  const auto f1 = ratio(2.0 * pool.matches, pool.n_truth + pool.n_predicted);
-  values.insert(
-      values.end(),
-      {recall.value_or(0.0), ratio(pool.matches, pool.n_predicted).value_or(0.0), f1.value_or(0.0),
-       ratio(pool.iou, pool.matches), ratio(pool.iou, pool.n_truth).value_or(0.0),
-       ratio(pool.boundary_f1, pool.matches).value_or(0.0)});
+  const auto recall = ratioOrNone(pool.matches, pool.n_truth);
+  const auto f1 = ratioOrNone(2.0 * pool.matches, pool.n_truth + pool.n_predicted);
+  values.insert(values.end(),
+                {recall.value_or(0.0), ratioOrNone(pool.matches, pool.n_predicted).value_or(0.0),
+                 f1.value_or(0.0), ratioOrNone(pool.iou, pool.matches),
+                 ratioOrNone(pool.iou, pool.n_truth).value_or(0.0),
+                 ratioOrNone(pool.boundary_f1, pool.matches).value_or(0.0)});
 }
 
 Values microValues(const std::vector<RoomMetrics>& scenes, const Sample& sample) {
@@ -97,8 +97,8 @@ Values microValues(const std::vector<RoomMetrics>& scenes, const Sample& sample)
     split += scene.over_segmentation * static_cast<double>(scene.n_truth);
     merging += scene.under_segmentation * static_cast<double>(scene.n_predicted);
   }
-  values.push_back(ratio(split, n_truth).value_or(0.0));
-  values.push_back(ratio(merging, n_predicted).value_or(0.0));
+  values.push_back(ratioOrNone(split, n_truth).value_or(0.0));
+  values.push_back(ratioOrNone(merging, n_predicted).value_or(0.0));
   return values;
 }
 

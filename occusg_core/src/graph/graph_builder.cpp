@@ -10,7 +10,7 @@
 namespace occusg {
 namespace {
 
-constexpr double kStampRoundingS = 1e-6;
+constexpr double kPeriodRoundingS = 1e-6;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Po
   if (!last_update_s_) last_maintenance_s_ = stamp_s;
   last_update_s_ = stamp_s;
   const bool is_due =
-      stamp_s - last_maintenance_s_ >= config_.maintenance_period_s - kStampRoundingS;
+      stamp_s - last_maintenance_s_ >= config_.maintenance_period_s - kPeriodRoundingS;
   if (is_due) last_maintenance_s_ = stamp_s;
   const Point2 robot{T_map_camera.translation().x(), T_map_camera.translation().y()};
   if (map != nullptr) {

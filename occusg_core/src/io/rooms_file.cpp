@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxRoomsFileBytes = std::size_t{64} << 20U;
 
 RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
                   RingReader& rings) {
@@ -113,7 +113,7 @@ RoomsFile parseRooms(const std::string& text, const std::string& where, RingOrde
 }
 
 RoomsFile readRooms(const std::string& path, RingOrder order) {
-  return parseRooms(readFile(path, kMaxFileBytes), path, order);
+  return parseRooms(readFile(path, kMaxRoomsFileBytes), path, order);
 }
 
 std::string toJson(const RoomsFile& file) {

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20U;
+constexpr std::size_t kMaxGraphFileBytes = std::size_t{256} << 20U;
 
 /// The members of one object of the file.
 class Members {
@@ -295,7 +295,7 @@ SceneGraphFile parseSceneGraph(const std::string& text, const std::string& where
 }
 
 SceneGraphFile readSceneGraph(const std::string& path) {
-  return parseSceneGraph(readFile(path, kMaxFileBytes), path);
+  return parseSceneGraph(readFile(path, kMaxGraphFileBytes), path);
 }
 
 }  // namespace occusg

@@ -86,7 +86,8 @@ OccupancyMap::OccupancyMap(const OccupancyMapConfig& config)
       rays_(std::make_unique<FrameRays>()),
       carver_(std::make_unique<FrameCarver>()),
       settled_(std::make_unique<SettledVoxels>()),
-      workers_(std::make_unique<Workers>(config.threads)) {
+      workers_(std::make_unique<Workers>(config.threads)),
+      ray_(std::make_unique<octomap::KeyRay>()) {
   tree_->setProbHit(config_.hit_probability);
   tree_->setProbMiss(config_.miss_probability);
   tree_->setClampingThresMin(config_.min_probability);
@@ -174,8 +175,8 @@ bool OccupancyMap::markRay(const octomap::point3d& origin, const Point3f& end, R
       cut ? origin + ray.normalized() * static_cast<float>(config_.max_range_m) : measured;
   if (!insideMap(*tree_, last)) return false;
 
-  (void)tree_->computeRayKeys(origin, last, ray_);  // false only when an end is outside the map
-  for (const octomap::OcTreeKey& key : ray_) frame_->markFree(key);
+  (void)tree_->computeRayKeys(origin, last, *ray_);  // false only when an end is outside the map
+  for (const octomap::OcTreeKey& key : *ray_) frame_->markFree(key);
   if (meaning == RayEnd::kMiss) {
     frame_->markFree(tree_->coordToKey(last));
   } else if (!cut) {

@@ -13,7 +13,7 @@ namespace {
 constexpr int kZeroBlock = kZeroKey / kBlockSide;
 constexpr int kPageSide = 64;
 constexpr int kDirectorySide = 2 * kZeroBlock / kPageSide;
-constexpr std::uint64_t kAll = ~std::uint64_t{0};
+constexpr std::uint64_t kFullWord = ~std::uint64_t{0};
 
 int floorOfBlock(int voxel) { return (voxel + kZeroKey) / kBlockSide - kZeroBlock; }
 
@@ -130,8 +130,8 @@ void VoxelColumns::addNode(const octomap::OcTree& tree, const octomap::OcTreeNod
   if (level <= kBlockLevels) {
     addVoxels(tree, node, level, 0, block);
   } else {
-    block.changed.fill(kAll);
-    if (tree.isNodeOccupied(node)) block.occupied.fill(kAll);
+    block.changed.fill(kFullWord);
+    if (tree.isNodeOccupied(node)) block.occupied.fill(kFullWord);
   }
   addBlocks(corner, std::max(1, (1 << level) / kBlockSide), block);
 }

@@ -6,7 +6,7 @@
 namespace occusg {
 namespace {
 
-const PipelineConfig& checked(const PipelineConfig& config) {
+const PipelineConfig& checkedForRooms(const PipelineConfig& config) {
   check(config);
   return config;
 }
@@ -14,7 +14,7 @@ const PipelineConfig& checked(const PipelineConfig& config) {
 }  // namespace
 
 RoomPipeline::RoomPipeline(const PipelineConfig& config)
-    : decomposer_(makeDecomposer(checked(config))),
+    : decomposer_(makeDecomposer(checkedForRooms(config))),
       tracker_(config.tracker),
       graph_(config.graph) {}
 

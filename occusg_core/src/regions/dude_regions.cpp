@@ -17,7 +17,7 @@ namespace {
 /// How far beside a cut its sides are looked up: past the cells its line runs through.
 constexpr double kBesideCut_cells = 0.75;
 
-bool isBefore(const DudeCut& a, const DudeCut& b) {
+bool isEarlierCut(const DudeCut& a, const DudeCut& b) {
   return std::tie(a.label_a, a.label_b, a.a, a.b) < std::tie(b.label_a, b.label_b, b.a, b.b);
 }
 
@@ -60,7 +60,7 @@ void DudeRegions::assign(DudePartition partition, const GridFrame& frame) {
     describe(static_cast<std::int32_t>(i + 1));
   }
   cuts_ = std::move(partition.cuts);
-  std::sort(cuts_.begin(), cuts_.end(), isBefore);
+  std::sort(cuts_.begin(), cuts_.end(), isEarlierCut);
   link(std::vector<char>(size(), 1));
 }
 
@@ -88,10 +88,10 @@ void DudeRegions::replace(const std::vector<std::int32_t>& replaced,
     describe(label);
     is_touched[indexOf(label)] = 1;
   }
-  std::sort(changed.begin(), changed.end(), isBefore);
+  std::sort(changed.begin(), changed.end(), isEarlierCut);
   const auto old_count = static_cast<std::ptrdiff_t>(cuts_.size());
   cuts_.insert(cuts_.end(), changed.begin(), changed.end());
-  std::inplace_merge(cuts_.begin(), cuts_.begin() + old_count, cuts_.end(), isBefore);
+  std::inplace_merge(cuts_.begin(), cuts_.begin() + old_count, cuts_.end(), isEarlierCut);
   link(is_touched);
 }
 

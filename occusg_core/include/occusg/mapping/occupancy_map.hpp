@@ -117,7 +117,8 @@ class OccupancyMap {
   std::unique_ptr<FrameCarver> carver_;
   std::unique_ptr<SettledVoxels> settled_;
   std::unique_ptr<Workers> workers_;
-  octomap::KeyRay ray_;  ///< Reused between rays.
+  /// Reused between rays. Behind a pointer, as moving a KeyRay may throw.
+  std::unique_ptr<octomap::KeyRay> ray_;
 };
 
 }  // namespace occusg
