@@ -305,12 +305,13 @@ void MappingNode::process(const WaitingImage& waiting) {
   }
   health_.noteUsed();
   last_frame_s_ = steadySeconds();
-  unpublished_ = header;
-  unpublished_->frame_id = settings_.map_frame;
+  std_msgs::Header map_header = header;
+  map_header.frame_id = settings_.map_frame;
+  unpublished_ = map_header;
   if (!last_layer_s_ ||
       waiting.logical_s - *last_layer_s_ >= config_.region_period_s - kStampTolerance_s)
-    publishLayer(*unpublished_, waiting.logical_s);
-  if (last_frame_s_ - last_voxels_s_ > live().voxels_period_s) publishVoxels(*unpublished_);
+    publishLayer(map_header, waiting.logical_s);
+  if (last_frame_s_ - last_voxels_s_ > live().voxels_period_s) publishVoxels(map_header);
   noteStatus(last_frame_s_ - waiting.arrived_s);
 }
 
