@@ -31,8 +31,8 @@ endif()
 
 # Hardening of what users run. Fortification needs optimisation; a distribution may define it already.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT OCCUSG_SANITIZE)
-  add_compile_options(-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
-  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  add_compile_options(-fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2
+    -D_GLIBCXX_ASSERTIONS)
   add_link_options(-Wl,-z,relro -Wl,-z,now)
 endif()
 

@@ -9,38 +9,50 @@ foreach(variable PYTHON_EXECUTABLE Python3_EXECUTABLE)
   endif()
 endforeach()
 
-find_package(catkin QUIET)
-if(NOT catkin_FOUND)
-  message(STATUS "catkin not found: building the core and the command line without ROS")
-  return()
-endif()
-
-set(OCCUSG_ROS_PACKAGES
-  diagnostic_updater
-  dynamic_reconfigure
-  geometry_msgs
-  image_transport
-  message_filters
-  nav_msgs
-  nodelet
-  pluginlib
-  rosbag
-  roscpp
-  rosgraph_msgs
-  sensor_msgs
-  std_msgs
-  std_srvs
-  tf2
-  tf2_msgs
-  tf2_ros
-  visualization_msgs)
-foreach(package message_generation ${OCCUSG_ROS_PACKAGES})
+# What the ROS part needs: catkin's name and the Debian package; Ubuntu's are ros-noetic-<catkin's name>.
+set(OCCUSG_ROS_NEEDS
+  diagnostic_updater:libdiagnostic-updater-dev
+  dynamic_reconfigure:libdynamic-reconfigure-config-init-mutex-dev
+  geometry_msgs:libgeometry-msgs-dev
+  image_transport:libimage-transport-dev
+  message_filters:libmessage-filters-dev
+  nav_msgs:libnav-msgs-dev
+  nodelet:libnodeletlib-dev
+  pluginlib:pluginlib-dev
+  rosbag:librosbag-dev
+  roscpp:libroscpp-dev
+  rosgraph_msgs:libros-rosgraph-msgs-dev
+  sensor_msgs:libsensor-msgs-dev
+  std_msgs:libstd-msgs-dev
+  std_srvs:libstd-srvs-dev
+  tf2:libtf2-dev
+  tf2_msgs:libtf2-msgs-dev
+  tf2_ros:libtf2-ros-dev
+  visualization_msgs:libvisualization-msgs-dev)
+set(OCCUSG_ROS_PACKAGES "")
+set(missing "")
+foreach(need catkin:catkin message_generation:ros-message-generation ${OCCUSG_ROS_NEEDS})
+  string(REGEX MATCH "^([^:]+):(.+)$" matched ${need})
+  set(package ${CMAKE_MATCH_1})
+  set(debian_package ${CMAKE_MATCH_2})
   find_package(${package} QUIET)
   if(NOT ${package}_FOUND)
-    message(STATUS "catkin is there but ${package} is not: building without ROS")
-    return()
+    list(APPEND missing "${package} (${debian_package})")
+  endif()
+  if(NOT package MATCHES "^(catkin|message_generation)$")
+    list(APPEND OCCUSG_ROS_PACKAGES ${package})
   endif()
 endforeach()
+if(missing)
+  list(JOIN missing ", " missing)
+  set(OCCUSG_ROS_ABSENCE "missing ROS packages, with Debian's names: ${missing}")
+  if(OCCUSG_BUILD_ROS STREQUAL "AUTO")
+    message(WARNING "Building without ROS, ${OCCUSG_ROS_ABSENCE}")
+    return()
+  endif()
+  message(FATAL_ERROR "OCCUSG_BUILD_ROS is ON, but there are ${OCCUSG_ROS_ABSENCE}. "
+    "scripts/install_dependencies.sh installs them; -DOCCUSG_BUILD_ROS=OFF builds without ROS.")
+endif()
 find_package(catkin REQUIRED COMPONENTS message_generation ${OCCUSG_ROS_PACKAGES})
 set(OCCUSG_HAVE_ROS ON)
 

@@ -15,8 +15,8 @@ data=${2:+$(cd "$2" && pwd)}
 variable=OCCUSG_MAPS2D_DIR
 if [ "$what" = mapping ]; then variable=OCCUSG_RGBD_DIR; fi
 
-"$root/scripts/install_dependencies.sh" --for-development >&2
-"$root/scripts/build.sh" -D$variable="$data" > "$root/build/bench.log" 2>&1 || {
+"$root/scripts/install_dependencies.sh" --for development --without-ros >&2
+"$root/scripts/build.sh" --no-install --without-ros -D$variable="$data" > "$root/build/bench.log" 2>&1 || {
   tail -n 40 "$root/build/bench.log" >&2
   exit 1
 }

@@ -1,10 +1,38 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds OccuSG in Release into build/release. Extra arguments go to CMake's configure step.
+# Installs what the build needs and builds OccuSG in Release: the library, the command, the ROS nodes.
+# Usage: scripts/build.sh [--no-install] [--without-ros] [--tests] [CMAKE_OPTION...]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$root/build/release"
 
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_INSTALL_PREFIX="$root/install" "$@"
+install=yes
+with_ros=ON
+with_tests=OFF
+while [ $# -gt 0 ]; do
+  case $1 in
+    --no-install) install=no ;;
+    --without-ros) with_ros=OFF ;;
+    --tests) with_tests=ON ;;
+    *) break ;;
+  esac
+  shift
+done
+for argument in "$@"; do
+  case $argument in
+    -*) ;;
+    *) echo "usage: scripts/build.sh [--no-install] [--without-ros] [--tests] [CMAKE_OPTION...]" >&2; exit 2 ;;
+  esac
+done
+
+if [ $install = yes ]; then
+  purpose=(--for ros)
+  if [ $with_tests = ON ]; then purpose=(--for tests); fi
+  if [ $with_ros = OFF ]; then purpose+=(--without-ros); fi
+  "$root/scripts/install_dependencies.sh" "${purpose[@]}"
+fi
+# shellcheck source=scripts/environment.sh
+. "$root/scripts/environment.sh"
+cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DOCCUSG_UNITY_BUILD=ON \
+  -DOCCUSG_BUILD_ROS=$with_ros -DOCCUSG_BUILD_TESTS=$with_tests -DCATKIN_DEVEL_PREFIX="$root/devel" "$@"
 cmake --build "$build"

@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$root/build/coverage"
 
 if [ "${1:-}" != "--no-install" ]; then
-  "$root/scripts/install_dependencies.sh" --for-development
+  "$root/scripts/install_dependencies.sh" --for development --without-ros
 fi
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS="--coverage -O1" \
   -DOCCUSG_BUILD_ROS=OFF -DOCCUSG_BUILD_BENCHMARKS=OFF

@@ -18,7 +18,7 @@ fi
 
 set +u
 # shellcheck disable=SC1091
-. build/release/devel/setup.bash
+. devel/setup.bash
 set -u
 work=$(mktemp -d)
 port=$(/usr/bin/python3 -c \

@@ -1,7 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Scene graphs as a user and other programs read them: 'occusg show', JSON Schema, GraphML, the
-# published system's schema.
+# Scene graphs as a user reads them: 'occusg show', and the published system's schema.
 # Usage: graph_files_test.sh OCCUSG RECORDING SOURCE_FOLDER WORK_FOLDER
 set -uo pipefail
 occusg=$1
@@ -9,15 +8,6 @@ recording=$2
 source=$3
 work=$4
 . "$(dirname "${BASH_SOURCE[0]}")/expectations.sh"
-checks=$source/tests/interchange
-schema=$source/docs/scene_graph.schema.json
-
-# check NAME PROGRAM ARGUMENTS...
-check() {
-  local name=$1
-  shift
-  /usr/bin/python3 "$@" > out.txt 2> err.txt || fail "$name"
-}
 # answers NAME TEXT ARGUMENTS...: standard output holds TEXT.
 answers() {
   local name=$1 text=$2
@@ -30,10 +20,6 @@ short_recording short 80
 ln -s "$recording/labels" short/labels
 cp "$recording"/{rgb.txt,rooms.json,objects.json} short
 expect "run" 0 "" run short -o out --schema occusg-1.0
-check "scene_graph.json keeps to its schema" "$checks/check_schema.py" "$schema" out/scene_graph.json
-sed 's/"region_id":[0-9]*/"region_id":-1/' out/scene_graph.json > spoilt.json
-check "the schema refuses a spoilt file" "$checks/check_schema.py" "$schema" spoilt.json broken
-check "networkx reads scene_graph.graphml" "$checks/check_graphml.py" out
 grep -q '"schema_version": "1.0"' out/scene_graph.occusg-1.0.json || fail "published schema"
 expect "unknown schema" 2 "occusg-1.0" run short -o other --schema hydra
 
