@@ -13,8 +13,7 @@ usage() {
 
 # The first Debian mirror the host's apt uses.
 mirror() {
-  grep -rhoE 'https?://[^ ]+/debian/? ?' /etc/apt/sources.list /etc/apt/sources.list.d 2> /dev/null |
-    head -n 1 | tr -d ' '
+  apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 2> /dev/null | grep -m 1 '/debian/\?$' || true
 }
 
 make_root() {
