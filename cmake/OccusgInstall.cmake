@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the core and exports it as occusg::core, with catkin and without.
+# Installs the core and exports it as occusg::core, with catkin and without. What is installed can be moved: every file
+# finds the others from where it lies itself.
 include(CMakePackageConfigHelpers)
 
 set(OCCUSG_CMAKE_DIR share/occusg/cmake)
@@ -18,15 +19,33 @@ foreach(finder FindPclClustering.cmake FindPolyclipping.cmake)
 endforeach()
 install(FILES "${PROJECT_BINARY_DIR}/occusgCore.cmake" DESTINATION ${OCCUSG_CMAKE_DIR})
 
-if(NOT OCCUSG_HAVE_ROS)
-  # catkin writes a config of the same name; one of the two is enough.
-  configure_package_config_file(cmake/occusgConfig.cmake.in
-    "${PROJECT_BINARY_DIR}/occusgConfig.cmake" INSTALL_DESTINATION ${OCCUSG_CMAKE_DIR})
+if(OCCUSG_HAVE_ROS)
+  # catkin has written occusgConfig.cmake and occusg.pc, which ask for all of ROS and name the prefix. Its config goes
+  # on under another name; the one others find brings it in unless they ask for the core alone.
+  set(generated "${PROJECT_BINARY_DIR}/catkin_generated/installspace")
+  file(READ "${generated}/occusgConfig.cmake" catkin_config)
+  if(NOT catkin_config MATCHES "occusgCatkin.cmake")
+    file(WRITE "${PROJECT_BINARY_DIR}/occusgCatkin.cmake" "${catkin_config}")
+  endif()
+  configure_file(cmake/occusgConfig.cmake.in "${generated}/occusgConfig.cmake" @ONLY)
+  configure_file(cmake/occusg.pc.in "${generated}/occusg.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/occusgCatkin.cmake" DESTINATION ${OCCUSG_CMAKE_DIR})
+  if(OCCUSG_RELOCATABLE_INSTALL)
+    # In place of catkin's set-up files, which name the prefix that was given when configuring.
+    install(FILES cmake/setup.bash cmake/setup.sh DESTINATION .)
+    file(WRITE "${PROJECT_BINARY_DIR}/marker/.catkin" "")
+    install(FILES "${PROJECT_BINARY_DIR}/marker/.catkin" DESTINATION .)
+  endif()
+else()
+  configure_file(cmake/occusgConfig.cmake.in "${PROJECT_BINARY_DIR}/occusgConfig.cmake" @ONLY)
+  configure_file(cmake/occusg.pc.in "${PROJECT_BINARY_DIR}/occusg.pc" @ONLY)
   write_basic_package_version_file("${PROJECT_BINARY_DIR}/occusgConfigVersion.cmake"
     COMPATIBILITY SameMinorVersion)
   #catkin_lint: ignore_once missing_file
   install(FILES "${PROJECT_BINARY_DIR}/occusgConfig.cmake"
     "${PROJECT_BINARY_DIR}/occusgConfigVersion.cmake" DESTINATION ${OCCUSG_CMAKE_DIR})
+  #catkin_lint: ignore_once missing_file
+  install(FILES "${PROJECT_BINARY_DIR}/occusg.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
   install(FILES package.xml DESTINATION share/occusg)
 endif()
 install(DIRECTORY config launch rviz DESTINATION share/occusg)

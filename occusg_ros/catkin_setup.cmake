@@ -9,6 +9,11 @@ foreach(variable PYTHON_EXECUTABLE Python3_EXECUTABLE)
   endif()
 endforeach()
 
+# Read by the first find_package(catkin).
+if(OCCUSG_RELOCATABLE_INSTALL)
+  set(CATKIN_INSTALL_INTO_PREFIX_ROOT FALSE)
+endif()
+
 # What the ROS part needs: catkin's name and the Debian package; Ubuntu's are ros-noetic-<catkin's name>.
 set(OCCUSG_ROS_NEEDS
   diagnostic_updater:libdiagnostic-updater-dev

@@ -35,7 +35,7 @@ fi
 . "$root/scripts/environment.sh"
 mkdir -p "$build"
 {
-  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DOCCUSG_UNITY_BUILD=ON \
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DOCCUSG_UNITY_BUILD=ON -DOCCUSG_RELOCATABLE_INSTALL=ON \
     -DOCCUSG_BUILD_ROS=$with_ros -DOCCUSG_BUILD_TESTS=$with_tests -DCATKIN_DEVEL_PREFIX="$root/devel" "$@" &&
     cmake --build "$build"
 } 2>&1 | tee "$root/build/build.log"
