@@ -23,14 +23,15 @@ for binary in "$@"; do
     done <<< "$runpath:"
   fi
   [ "$build_type" = Release ] || continue
-  readelf -W -h "$binary" | grep -q 'Type: *DYN' || fail "$binary is not position independent"
+  grep -q 'Type: *DYN' <<< "$(readelf -W -h "$binary")" || fail "$binary is not position independent"
   grep -qE 'BIND_NOW|Flags:.* NOW' <<< "$dynamic" || fail "$binary is not bound at the start"
-  readelf -W -l "$binary" | grep -q GNU_RELRO || fail "$binary has no read-only relocations"
+  grep -q GNU_RELRO <<< "$(readelf -W -l "$binary")" || fail "$binary has no read-only relocations"
   # A program that is a line around a library has no array to protect.
   case $binary in
     */occusg | *.so)
-      readelf -W --dyn-syms "$binary" | grep -q __stack_chk_fail || fail "$binary has no stack protection"
-      readelf -W --dyn-syms "$binary" | grep -qE '__[a-z]+_chk' || fail "$binary has no fortified function"
+      symbols=$(readelf -W --dyn-syms "$binary")
+      grep -q __stack_chk_fail <<< "$symbols" || fail "$binary has no stack protection"
+      grep -qE '__[a-z]+_chk' <<< "$symbols" || fail "$binary has no fortified function"
       ;;
   esac
 done
