@@ -74,7 +74,8 @@ def start(command, log, port):
     environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_HOSTNAME="127.0.0.1",
                        LIBGL_ALWAYS_SOFTWARE="1", QT_QPA_PLATFORM="xcb")
     # rosrun and rostopic need a master that runs; roslaunch starts one.
-    return subprocess.Popen(["bash", "-c", ". devel/setup.bash && exec " + command], env=environment, stdout=log,
+    run = "" if command.startswith(". ") else "exec "
+    return subprocess.Popen(["bash", "-c", f". devel/setup.bash && {run}{command}"], env=environment, stdout=log,
                             stderr=subprocess.STDOUT, start_new_session=True)
 
 
