@@ -111,6 +111,8 @@ occusg_add_floor(io
     decomposition_drawing.cpp
     external_rooms.cpp
     file_bytes.cpp
+    file_mark.cpp
+    folder_exchange.cpp
     graph_json.cpp
     graphml_file.cpp
     grey_picture.cpp
@@ -132,8 +134,10 @@ occusg_add_floor(io
     overview_labels.cpp
     overview_picture.cpp
     overview_view.cpp
+    part_file.cpp
     png_check.cpp
     polygon_json.cpp
+    result_index.cpp
     room_color.cpp
     rooms_file.cpp
     rooms_geojson.cpp

@@ -233,6 +233,24 @@ void reportBadInput(const SequenceReader& sequence, const RunOutcome& outcome) {
                 "the objects in " + std::to_string(outcome.bad_masks.size()) + of_all);
 }
 
+/// Does what may fail without taking with it what follows.
+template <typename Step>
+void trying(std::vector<std::string>& problems, const Step& step) {
+  try {
+    step();
+  } catch (const Error& error) {
+    problems.emplace_back(error.what());
+  }
+}
+
+std::vector<ResultFile> filesOf(const Pipeline& pipeline, const std::string& scene,
+                                const StageTimes& times, Schemas schemas) {
+  std::vector<ResultFile> files = resultFiles(pipeline, scene, times);
+  if (schemas == Schemas::kOursAndPublished)
+    files.push_back({"scene_graph.occusg-1.0.json", toOccusg10(pipeline.graph(), scene)});
+  return files;
+}
+
 }  // namespace
 
 ExitCode runCommand(const std::vector<std::string>& arguments) {
@@ -254,19 +272,19 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
                  values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip, known_until_s);
   failWhenMostFramesAreBad(outcome, sequence.scene());
   failWhenNoFrameIsNew(outcome, sequence.scene());
-  if (session_folder) {
-    saveSession(*session_folder, pipeline.occupancyMap().tree(),
-                pipeline.sessionState(sequence.scene()));
-  }
+  // Before `finish`, and written after the results: a session that cannot be saved costs none.
+  std::optional<SessionState> session;
+  if (session_folder) session = pipeline.sessionState(sequence.scene());
   pipeline.finish();
 
   StageTimes times = pipeline.times();
   setPeakMemory(times);
-  for (const ResultFile& file : resultFiles(pipeline, sequence.scene(), times))
-    folder.write(file.name, file.bytes);
-  if (schemas == Schemas::kOursAndPublished) {
-    folder.write("scene_graph.occusg-1.0.json", toOccusg10(pipeline.graph(), sequence.scene()));
-  }
+  std::vector<std::string> problems;
+  trying(problems,
+         [&] { writeResultFiles(folder, filesOf(pipeline, sequence.scene(), times, schemas)); });
+  trying(problems, [&] {
+    if (session) saveSession(*session_folder, pipeline.occupancyMap().tree(), *session);
+  });
 
   printRooms(roomsOf(pipeline, sequence.scene()));
   printTimes(times);
@@ -274,8 +292,9 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   if (outcome.frames_known > 0)
     std::cout << "  " << outcome.frames_known << " frames the session knows already, left out\n";
   reportBadInput(sequence, outcome);
-  std::cout << "\nResults are in " << folder.path() << '\n';
-  if (!outcome.interrupted) return kFine;
+  for (const std::string& problem : problems) std::cerr << "occusg: " << problem << '\n';
+  if (problems.empty()) std::cout << "\nResults are in " << folder.path() << '\n';
+  if (!outcome.interrupted) return problems.empty() ? kFine : kFailed;
   std::cerr << "occusg: interrupted after " << outcome.frames_read << " of " << sequence.size()
             << " frames; the results hold what was found until then\n";
   return kFailed;

@@ -170,9 +170,9 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
   const std::vector<ResultFile> files = {
       {"rooms.json", toJson(rooms)},
       {"labels.png", labelPng(decomposition.labels, map.free_space.cells.box())},
-      {"overview.png", overviewPng(map, decomposition)},
-      {"timing.json", timingJson(times)}};
-  for (const ResultFile& file : files) folder.write(file.name, file.bytes);
+      {"timing.json", timingJson(times)},
+      {"overview.png", overviewPng(map, decomposition)}};
+  writeResultFiles(folder, files);
   if (drawing) drawing->write(drawingPng(*decomposer, decomposition, map, config));
 
   printRooms(rooms);

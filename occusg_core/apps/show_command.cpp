@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -8,6 +9,8 @@
 
 #include "command_line.hpp"
 #include "graph_question.hpp"
+#include "occusg/error.hpp"
+#include "occusg/io/result_index.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 
 namespace occusg::apps {
@@ -93,6 +96,22 @@ void printDoors(const SceneGraph& graph) {
     for (const Segment2& crossing : edge.crossings) printDoor(edge.source, edge.target, crossing);
 }
 
+/// A run that was killed while it wrote its results leaves some beside those of the run before.
+void warnOfMixedRuns(const std::string& path) {
+  const std::string parent = std::filesystem::path(path).parent_path().string();
+  const std::string folder = parent.empty() ? "." : parent;
+  try {
+    const auto others = filesOfOtherRuns(folder);
+    if (!others || others->empty()) return;
+    std::cerr << "occusg: " << folder
+              << ": the files are of more than one run; not of the last that ended:";
+    for (const std::string& name : *others) std::cerr << ' ' << name;
+    std::cerr << '\n';
+  } catch (const Error& error) {
+    std::cerr << "occusg: " << error.what() << '\n';
+  }
+}
+
 }  // namespace
 
 ExitCode showCommand(const std::vector<std::string>& arguments) {
@@ -102,6 +121,7 @@ ExitCode showCommand(const std::vector<std::string>& arguments) {
   if (const auto query = given<std::string>(values, "query")) asked = questionIn(*query);
 
   const SceneGraphFile file = readSceneGraph(values["FILE"].as<std::string>());
+  warnOfMixedRuns(values["FILE"].as<std::string>());
   const SceneGraph& graph = file.graph;
   std::cout << std::fixed << std::setprecision(2);
   if (asked) {

@@ -213,8 +213,7 @@ int process(Options options) {
   BagRun run(options, pipeline);
   run.run(bag);
   const std::string scene = std::filesystem::path(options.bag).stem().string();
-  for (const occusg::ResultFile& file : resultFiles(pipeline, scene, pipeline.times()))
-    folder.write(file.name, file.bytes);
+  writeResultFiles(folder, resultFiles(pipeline, scene, pipeline.times()));
   const InputHealth::Counts counts = run.counts();
   report(counts, pipeline, folder.path());
   return 2 * counts.used >= counts.received && counts.used > 0 ? 0 : 1;

@@ -60,4 +60,11 @@ mkdir thesis && touch thesis/chapter.tex
 expect "a folder that is no session" 1 "something else" run whole -o other --save-session thesis
 [ ! -e other ] || fail "an output folder was made although the session cannot be saved"
 
+# --- What fails while saving
+expect "session that cannot be saved" 1 "/proc/nowhere" run half -o unsaved --save-session /proc/nowhere/session
+[ -s unsaved/rooms.json ] && [ -s unsaved/files.json ] || fail "no results because the session cannot be saved"
+expect "results of one run" 0 "" show unsaved/scene_graph.json
+echo >> unsaved/rooms.json
+expect "results of two runs" 0 "not of the last that ended: rooms.json" show unsaved/scene_graph.json
+
 finish

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "io/part_file.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
 
@@ -75,20 +76,15 @@ bool writeAll(int descriptor, const std::string& bytes) {
   return true;
 }
 
-/// Two threads that write to the same folder, of one process or of two, must not share a temporary
-/// file.
-std::string temporaryPath(const std::string& folder, const std::string& name) {
-  return (fs::path(folder) / ("." + name + "." + std::to_string(::gettid()) + ".part")).string();
-}
-
 void writeDurably(const TemporaryFile& file, const std::string& bytes,
                   const std::string& shown_path) {
   constexpr mode_t kPermissions = 0666;  // less the umask
   ::unlink(file.path().c_str());         // of a process of the same number that was killed
   FileDescriptor descriptor(
       ::open(file.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kPermissions));
-  if (descriptor.get() < 0 || !writeAll(descriptor.get(), bytes) ||
-      ::fsync(descriptor.get()) != 0 || !descriptor.close())
+  if (descriptor.get() < 0) fail(shown_path, errno);
+  lockPart(descriptor.get());
+  if (!writeAll(descriptor.get(), bytes) || ::fsync(descriptor.get()) != 0 || !descriptor.close())
     fail(shown_path, errno);
 }
 
@@ -107,7 +103,8 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   fs::create_directories(path_, failed);
   if (failed || !fs::is_directory(path_, failed))
     throw refuse(path_, "cannot be created (" + failed.message() + ")", kWritable);
-  writeDurably(TemporaryFile(temporaryPath(path_, "probe")), "probe", path_);
+  removeStaleParts(path_);
+  writeDurably(TemporaryFile(partPath(path_, "probe")), "probe", path_);
 }
 
 void OutputFolder::write(const std::string& name, const std::string& bytes) const {
@@ -116,17 +113,19 @@ void OutputFolder::write(const std::string& name, const std::string& bytes) cons
                  "a name of at most 200 bytes without a path is needed");
   }
   const std::string target = (fs::path(path_) / name).string();
-  const TemporaryFile file(temporaryPath(path_, name));
+  const TemporaryFile file(partPath(path_, name));
   writeDurably(file, bytes, target);
   if (std::rename(file.path().c_str(), target.c_str()) != 0) fail(target, errno);
   flush();
 }
 
-void OutputFolder::flush() const {
-  const FileDescriptor descriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+void OutputFolder::flush() const { flushFolder(path_); }
+
+void flushFolder(const std::string& path) {
+  const FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   // EINVAL: a file system that cannot flush folders.
   if (descriptor.get() < 0 || (::fsync(descriptor.get()) != 0 && errno != EINVAL))
-    fail(path_, errno);
+    fail(path, errno);
 }
 
 }  // namespace occusg

@@ -2,10 +2,8 @@
 #include "occusg/io/session_folder.hpp"
 
 #include <fcntl.h>
-#include <stdio.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -13,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "io/folder_exchange.hpp"
+#include "io/part_file.hpp"
 #include "io/session_json.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/file_bytes.hpp"
@@ -40,6 +40,14 @@ fs::path placeOf(const std::string& folder) {
   return place;
 }
 
+/// The session at the path, or what a save that was killed between two steps set aside.
+fs::path sessionAt(const std::string& folder) {
+  std::error_code failed;
+  if (fs::exists(folder, failed)) return folder;
+  const fs::path standing = standingFolder(placeOf(folder));
+  return fs::exists(standing, failed) ? standing : fs::path(folder);
+}
+
 /// Removes what is at the path at the end of the scope.
 class Leftover {
  public:
@@ -60,16 +68,24 @@ class Leftover {
   fs::path path_;
 };
 
-/// Puts `fresh` where `place` is, in one step where the file system can; `place` may be missing. A
-/// session that was there is then at `fresh`, or gone.
-void exchange(const fs::path& fresh, const fs::path& place) {
-  if (::rename(fresh.c_str(), place.c_str()) == 0) return;
-  if (::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0) return;
-  const int reason = errno;
-  throw refuse(place.string(),
-               "cannot be replaced (" + std::generic_category().message(reason) + ")",
-               "save the session under a new name");
-}
+/// Holds the folder that is being written against being taken for stale.
+class HeldFolder {
+ public:
+  explicit HeldFolder(const fs::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0) lockPart(descriptor_);
+  }
+  HeldFolder(const HeldFolder&) = delete;
+  HeldFolder(HeldFolder&&) = delete;
+  HeldFolder& operator=(const HeldFolder&) = delete;
+  HeldFolder& operator=(HeldFolder&&) = delete;
+  ~HeldFolder() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+ private:
+  int descriptor_;
+};
 
 std::string checkedFile(const fs::path& folder, const std::string& name, const FileMark& wanted) {
   const std::string path = (folder / name).string();
@@ -94,14 +110,12 @@ void saveParts(const std::string& folder, const std::map<std::string, std::strin
   fs::path parent = place.parent_path();
   if (parent.empty()) parent = ".";
   const OutputFolder beside(parent.string());
-  // The thread's number, unlike that of the process, is no other saving thread's.
-  const Leftover fresh(
-      parent / ("." + place.filename().string() + "." + std::to_string(::gettid()) + ".part"));
+  const Leftover fresh(partPath(parent.string(), place.filename().string()));
   const OutputFolder written(fresh.path().string());
+  const HeldFolder held(fresh.path());
   for (const auto& [name, bytes] : parts) written.write(name, bytes);
   written.write(kSessionFile, toSessionJson(state, marks));
-  exchange(fresh.path(), place);
-  beside.flush();
+  putInPlace(fresh.path(), parent / place.filename());
 }
 
 void checkRooms(const SessionState& state, const std::string& where) {
@@ -153,7 +167,7 @@ void saveSession(const std::string& folder, const SessionState& state) {
 }
 
 Session loadSession(const std::string& folder, const OccupancyMapConfig& config) {
-  const fs::path place(folder);
+  const fs::path place = sessionAt(folder);
   const std::string path = (place / kSessionFile).string();
   SessionJson session = parseSessionJson(readFile(path, kMaxSessionBytes), path);
   std::optional<OccupancyMap> map;

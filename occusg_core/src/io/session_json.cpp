@@ -115,15 +115,10 @@ std::map<std::string, FileMark> filesIn(const json& value, const std::string& wh
     const json& mark = member(value, name, where);
     const json& bytes = member(mark, "bytes", place);
     const std::string checksum = stringOf(member(mark, "fnv1a", place), place + " fnv1a");
-    constexpr std::size_t kMaxDigits = 20;
-    const bool is_number = !checksum.empty() && checksum.size() <= kMaxDigits &&
-                           checksum.find_first_not_of("0123456789") == std::string::npos;
-    if (!bytes.is_number_unsigned() || !is_number)
-      throw refuse(place, "has no size and checksum", "a whole session is needed");
     FileMark& read = files[name];
+    if (!bytes.is_number_unsigned() || !parseChecksum(checksum, read.checksum))
+      throw refuse(place, "has no size and checksum", "a whole session is needed");
     read.bytes = bytes.get<std::size_t>();
-    for (const char digit : checksum)
-      read.checksum = 10 * read.checksum + static_cast<unsigned>(digit - '0');
   }
   return files;
 }
@@ -216,7 +211,7 @@ std::map<NodeType, NodeId> nextIdsIn(const json& value, const std::string& where
   return ids;
 }
 
-void checkKind(const json& document, const std::string& where) {
+void checkSessionKind(const json& document, const std::string& where) {
   const std::string format = stringOf(member(document, "format", where), where + ": format");
   if (format != kFormat) {
     throw refuse(where, "has the format \"" + shown(format) + "\"",
@@ -230,15 +225,6 @@ void checkKind(const json& document, const std::string& where) {
 }
 
 }  // namespace
-
-FileMark markOf(const std::string& bytes) {
-  constexpr std::uint64_t kOffset = 14'695'981'039'346'656'037U;
-  constexpr std::uint64_t kPrime = 1'099'511'628'211U;
-  FileMark mark{bytes.size(), kOffset};
-  for (const char byte : bytes)
-    mark.checksum = (mark.checksum ^ static_cast<unsigned char>(byte)) * kPrime;
-  return mark;
-}
 
 std::string toSessionJson(const SessionState& state, const std::map<std::string, FileMark>& files) {
   return jsonDocument({{"format", kFormat},
@@ -262,7 +248,7 @@ std::string toSessionJson(const SessionState& state, const std::map<std::string,
 
 SessionJson parseSessionJson(const std::string& text, const std::string& where) {
   const json document = parseJson(text, where);
-  checkKind(document, where);
+  checkSessionKind(document, where);
   SessionJson session;
   session.files = filesIn(member(document, "files", where), where + ": files");
   SessionState& state = session.state;

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <map>
 #include <string>
 
+#include "occusg/io/file_mark.hpp"
 #include "occusg/io/session_state.hpp"
 
 namespace occusg {
-
-/// Size and content of a file, to tell a damaged one.
-struct FileMark {
-  std::size_t bytes = 0;
-  std::uint64_t checksum = 0;  ///< FNV-1a, 64 bit (Fowler, Noll, Vo).
-};
-
-[[nodiscard]] FileMark markOf(const std::string& bytes);
 
 /// The text of a `session.json`: everything of the state but the nodes and edges of its graph.
 [[nodiscard]] std::string toSessionJson(const SessionState& state,

@@ -3,12 +3,14 @@
 
 #include <iomanip>
 #include <locale>
+#include <map>
 #include <sstream>
 
 #include "occusg/io/graphml_file.hpp"
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/overview_picture.hpp"
+#include "occusg/io/result_index.hpp"
 #include "occusg/io/rooms_geojson.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 #include "occusg/io/spark_dsg_file.hpp"
@@ -89,8 +91,8 @@ std::vector<ResultFile> resultFiles(const Findings& findings, const StageTimes& 
           {"rooms.geojson", toGeoJson(rooms)},
           {"free_space.pgm", map.pgm},
           {"free_space.yaml", map.yaml},
-          {"overview.png", overviewPng(findings, rooms)},
-          {"timing.json", timingJson(times)}};
+          {"timing.json", timingJson(times)},
+          {"overview.png", overviewPng(findings, rooms)}};
 }
 
 std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string& scene,
@@ -100,6 +102,15 @@ std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string&
       times);
   files.push_back({"map.ot", toOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull)});
   return files;
+}
+
+void writeResultFiles(const OutputFolder& folder, const std::vector<ResultFile>& files) {
+  std::map<std::string, FileMark> marks;
+  for (const ResultFile& file : files) {
+    folder.write(file.name, file.bytes);
+    marks[file.name] = markOf(file.bytes);
+  }
+  folder.write(kResultIndexFile, toResultIndex(marks));
 }
 
 }  // namespace occusg

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/io/output_folder.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -111,6 +114,42 @@ TEST(OutputFolder, LeftoverOfAKilledRunIsNoObstacle) {
   OutputFolder(folder.path()).write("x.json", "whole");
   EXPECT_EQ(folder.read("x.json"), "whole");
   EXPECT_EQ(filesIn(folder.path()), 1U);
+}
+
+/// A number that was a process's and is none any more.
+std::string endedProcess() {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return std::to_string(child);
+}
+
+TEST(OutputFolder, FailureMode14PartsOfKilledWritersGoWhenTheFolderIsOpened) {
+  const TemporaryFolder folder;
+  const std::string ended = endedProcess();
+  folder.write(".rooms.json." + ended + ".part", "half");
+  folder.write(".session." + ended + ".part/map.ot", "half");
+  folder.write(".session." + ended + ".part/.session.json." + ended + ".part", "half");
+  const OutputFolder output(folder.path());
+  EXPECT_EQ(filesIn(folder.path()), 0U);
+}
+
+TEST(OutputFolder, PartsOfThoseWhoStillWriteAndFilesOfOthersStay) {
+  const TemporaryFolder folder;
+  const std::string ended = endedProcess();
+  folder.write(".held.json." + ended + ".part", "being written in another container");
+  const int held = ::open(folder.at(".held.json." + ended + ".part").c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  folder.write(".x.json." + std::to_string(::getppid()) + ".part", "of a running process");
+  folder.write(".film." + ended + ".part/season 1/film", "another program's");
+  folder.write("film.part", "x");
+  folder.write(".film.part", "x");
+  folder.write(".film.1a.part", "x");
+  folder.write("." + ended + ".part", "x");
+  const OutputFolder output(folder.path());
+  EXPECT_EQ(filesIn(folder.path()), 7U);
+  ::close(held);
 }
 
 TEST(OutputFolder, FileInPlaceOfTheFolderIsRefused) {

@@ -7,7 +7,8 @@ namespace occusg {
 
 /// A folder results are written to. A file appears whole or not at all: it is written under a
 /// temporary name beside its place, flushed to the disk and renamed, so that neither a crash nor a
-/// full disk leaves half a file or loses the previous one.
+/// full disk leaves half a file or loses the previous one. Temporary files of runs that were killed
+/// are removed when the folder is opened.
 class OutputFolder {
  public:
   /// Creates the folder and its parents where missing, and writes a file for a try, so that a long
@@ -30,5 +31,9 @@ class OutputFolder {
  private:
   std::string path_;
 };
+
+/// Makes a rename in a folder last through a power cut.
+/// @throws Error naming the folder when that fails.
+void flushFolder(const std::string& path);
 
 }  // namespace occusg

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "occusg/io/output_folder.hpp"
 #include "occusg/io/rooms_file.hpp"
 #include "occusg/pipeline/pipeline.hpp"
 
@@ -38,5 +39,10 @@ struct Findings {
 [[nodiscard]] std::vector<ResultFile> resultFiles(const Pipeline& pipeline,
                                                   const std::string& scene,
                                                   const StageTimes& times);
+
+/// Writes the files in their order, and the index of them (`result_index.hpp`) when all are there:
+/// a folder whose index agrees with its files is of one run.
+/// @throws Error as `OutputFolder::write`.
+void writeResultFiles(const OutputFolder& folder, const std::vector<ResultFile>& files);
 
 }  // namespace occusg
