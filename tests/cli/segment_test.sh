@@ -56,7 +56,7 @@ for decomposer in dude constriction; do
     [ $file = timing.json ] || cmp -s "one_$decomposer/$file" "two_$decomposer/$file" ||
       fail "$decomposer: $file differs between two runs"
   done
-  [ "$(ls one_$decomposer | wc -l)" -eq 4 ] || fail "$decomposer: files left over"
+  [ "$(ls one_$decomposer | wc -l)" -eq 5 ] || fail "$decomposer: files left over"
   [ "$(png_size one_$decomposer/labels.png)" = 190x90 ] || fail "$decomposer: labels.png has another size"
   [ "$(grep -c '"id":' one_$decomposer/rooms.json)" -eq 2 ] || fail "$decomposer: not two rooms"
   grep -qF '"rooms":[1,2]' one_$decomposer/rooms.json || fail "$decomposer: no door between the rooms"
