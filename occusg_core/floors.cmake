@@ -71,6 +71,7 @@ occusg_add_floor(regions
     lintels.cpp
     passages.cpp
     region_tracker.cpp
+    squared_distance.cpp
     straight_cuts.cpp
   USES geometry mapping
   LIBRARIES CGAL::CGAL opencv_core opencv_imgproc)

@@ -7,6 +7,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "regions/squared_distance.hpp"
+
 namespace occusg {
 namespace {
 
@@ -85,17 +87,6 @@ void fillIslands(Clearance& clearance, std::size_t max_island_cells) {
   }
 }
 
-void measure(Clearance& clearance) {
-  cv::Mat distances;
-  cv::distanceTransform(imageOf(clearance.open), distances, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  const auto* distance = distances.ptr<float>();
-  for (std::int32_t& squared : clearance.squared.values()) {
-    const double cells = *distance++;
-    // Back to the integer the root was taken of: comparisons are exact from here on.
-    squared = static_cast<std::int32_t>(std::floor(cells * cells + 0.5));
-  }
-}
-
 }  // namespace
 
 Clearance clearanceOf(const Grid<std::int8_t>& layer, std::size_t max_island_cells) {
@@ -103,9 +94,8 @@ Clearance clearanceOf(const Grid<std::int8_t>& layer, std::size_t max_island_cel
   clearance.open = freeCells(layer);
   if (clearance.open.empty()) return clearance;
   clearance.islands = Grid<std::int32_t>(clearance.open.box(), 0);
-  clearance.squared = Grid<std::int32_t>(clearance.open.box(), 0);
   if (max_island_cells > 0) fillIslands(clearance, max_island_cells);
-  measure(clearance);
+  clearance.squared = squaredDistances(clearance.open);
   return clearance;
 }
 
