@@ -38,6 +38,7 @@ occusg_add_floor(mapping
     local_floor.cpp
     measured_evidence.cpp
     occupancy_map.cpp
+    occupancy_thresholds.cpp
     settled_voxels.cpp
     tree_writer.cpp
     voxel_columns.cpp
@@ -116,14 +117,15 @@ occusg_add_floor(io
     folder_exchange.cpp
     graph_json.cpp
     graphml_file.cpp
-    grey_picture.cpp
     house_file.cpp
     json_text.cpp
     label_picture.cpp
     label_placement.cpp
     map_drawing.cpp
     map_files.cpp
+    map_picture.cpp
     map_reader.cpp
+    map_values.cpp
     map_yaml.cpp
     object_labels.cpp
     object_records.cpp
@@ -137,7 +139,9 @@ occusg_add_floor(io
     overview_view.cpp
     part_file.cpp
     png_check.cpp
+    picture_size.cpp
     polygon_json.cpp
+    portable_map.cpp
     result_index.cpp
     room_color.cpp
     rooms_file.cpp

@@ -15,6 +15,7 @@
 #include "occusg/io/map_reader.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/overview_picture.hpp"
+#include "occusg/io/rooms_geojson.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "output_file.hpp"
@@ -26,20 +27,22 @@ namespace {
 namespace po = boost::program_options;
 
 CommandHelp segmentHelp() {
-  return {"occusg segment MAP -o OUT [options]",
-          "Cuts a finished 2D map into rooms.\n\n"
-          "MAP is a map_server YAML file, or an 8-bit grey PGM or PNG alone, which takes "
-          "--resolution;\n"
-          "its lower left corner is then (0, 0), x right, y up. A pixel v is occupied with "
-          "probability\n"
-          "(255 - v) / 255; free are cells below the free threshold, the rest bounds rooms. The\n"
-          "options go before what the YAML says.\n\n"
-          "OUT receives rooms.json, labels.png (room ids, 16 bit, of the map's size), overview.png "
-          "and\n"
-          "timing.json.\n\n"
-          "  occusg segment map.yaml -o out/map\n"
-          "  occusg segment plan.png -o out/plan --resolution 0.05 --d-thr 1.5\n",
-          {"MAP"}};
+  return {
+      "occusg segment MAP -o OUT [options]",
+      "Cuts a finished 2D map into rooms.\n\n"
+      "MAP is a map_server YAML file, or a picture alone (PNG, PGM, PPM, PBM, BMP or JPEG), which "
+      "takes --resolution;\n"
+      "its lower left corner is then (0, 0), x right, y up. A pixel v is occupied with "
+      "probability\n"
+      "(255 - v) / 255; free are cells below the free threshold, the rest bounds rooms. The\n"
+      "options go before what the YAML says.\n\n"
+      "OUT receives rooms.json, rooms.geojson, labels.png (room ids, 16 bit, of the map's size) "
+      "with\n"
+      "labels.yaml, overview.png and timing.json. Where a map leaves open how it is meant, a line\n"
+      "says what was assumed.\n\n"
+      "  occusg segment map.yaml -o out/map\n"
+      "  occusg segment plan.png -o out/plan --resolution 0.05 --d-thr 1.5\n",
+      {"MAP"}};
 }
 
 po::options_description segmentOptions() {
@@ -57,6 +60,7 @@ po::options_description segmentOptions() {
       "free-thresh", po::value<double>(), "free below this probability (without YAML: 0.196)")(
       "negate", "dark pixels are free")("mode", po::value<std::string>(),
                                         "trinary, scale or raw (without YAML: trinary)")(
+      "strict", "what the map leaves open is an error, not an assumption")(
       "max-cells", po::value<std::size_t>()->default_value(kDefaultMaxMapCells),
       "larger maps are refused")("debug-drawing", po::value<std::string>(),
                                  "PNG that shows how dude, then the decomposer, found its cuts");
@@ -113,23 +117,19 @@ RoomsFile roomsOf(const Decomposition& decomposition, const GridMap& map) {
   RoomsFile rooms;
   rooms.scene = map.name;
   for (const Region& region : decomposition.regions) {
-    rooms.rooms.push_back(
-        {region.id, "unknown", translated(region.polygon, map.offset.x, map.offset.y)});
+    rooms.rooms.push_back({region.id, "unknown", map.in_map(region.polygon)});
   }
-  const auto moved = [&](const Point2& point) {
-    return Point2{point.x + map.offset.x, point.y + map.offset.y};
-  };
   for (const Crossing& crossing : decomposition.crossings) {
     rooms.doors.push_back({crossing.region_a,
                            crossing.region_b,
-                           {moved(crossing.segment.a), moved(crossing.segment.b)}});
+                           {map.in_map(crossing.segment.a), map.in_map(crossing.segment.b)}});
   }
   return rooms;
 }
 
 std::string overviewPng(const GridMap& map, const Decomposition& decomposition) {
   GridMap unmoved = map;
-  unmoved.offset = {};
+  unmoved.in_map = {};
   const RoomsFile rooms = roomsOf(decomposition, unmoved);
   return encodePng(drawOverview(map.free_space, {map.name, rooms.rooms, rooms.doors, {}}));
 }
@@ -139,6 +139,30 @@ std::string drawingPng(const Decomposer& decomposer, const Decomposition& decomp
   const auto& dude = dynamic_cast<const DudeDecomposer&>(decomposer);
   return encodePng(drawDecomposition(map.free_space, decomposition, dude.trace(),
                                      config.dude.depth_threshold_m, map.name));
+}
+
+/// Where labels.png lies in the map frame, as map_server says it.
+std::string labelsYaml(const GridMap& map) {
+  const Point2 origin = map.in_map(map.free_space.frame.corner(map.free_space.cells.box().min));
+  std::ostringstream yaml;
+  yaml.imbue(std::locale::classic());
+  constexpr int kDigits = 9;
+  yaml.precision(kDigits);
+  yaml << "# Pixel values are room ids, 0 for no room.\nimage: labels.png\nresolution: "
+       << map.free_space.frame.resolution_m << "\norigin: [" << origin.x << ", " << origin.y << ", "
+       << map.in_map.yaw_rad
+       << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\nmode: raw\n";
+  return yaml.str();
+}
+
+/// Says what was assumed; @throws Error instead when `strict`.
+void tellAssumptions(const GridMap& map, const std::string& path, bool strict) {
+  for (const std::string& assumption : map.assumptions) {
+    if (strict)
+      throw refuse(path, "leaves something open: " + assumption,
+                   "without --strict this is assumed");
+    std::cerr << "occusg: " << path << ": " << assumption << '\n';
+  }
 }
 
 }  // namespace
@@ -151,6 +175,7 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
   const std::unique_ptr<Decomposer> decomposer = makeDecomposer(config);
   StageTimes times;
   const GridMap map = readMap(values["MAP"].as<std::string>(), readerOptionsFrom(values));
+  tellAssumptions(map, values["MAP"].as<std::string>(), values.count("strict") > 0);
   const OutputFolder folder(values["output"].as<std::string>());
   std::optional<OutputFile> drawing;
   if (const auto path = given<std::string>(values, "debug-drawing")) drawing.emplace(*path);
@@ -169,6 +194,8 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
 
   const std::vector<ResultFile> files = {
       {"rooms.json", toJson(rooms)},
+      {"rooms.geojson", toGeoJson(rooms)},
+      {"labels.yaml", labelsYaml(map)},
       {"labels.png", labelPng(decomposition.labels, map.free_space.cells.box())},
       {"timing.json", timingJson(times)},
       {"overview.png", overviewPng(map, decomposition)}};

@@ -51,18 +51,24 @@ expect "broken origin" 2 "X,Y" segment map.yaml -o out --origin "1;2"
 for decomposer in dude constriction; do
   expect "$decomposer" 0 "" segment map.yaml -o one_$decomposer --decomposer $decomposer
   expect "$decomposer again" 0 "" segment map.yaml -o two_$decomposer --decomposer $decomposer
-  for file in rooms.json labels.png overview.png timing.json; do
+  for file in rooms.json rooms.geojson labels.png labels.yaml overview.png timing.json; do
     [ -s "one_$decomposer/$file" ] || fail "$decomposer: $file is missing or empty"
     [ $file = timing.json ] || cmp -s "one_$decomposer/$file" "two_$decomposer/$file" ||
       fail "$decomposer: $file differs between two runs"
   done
-  [ "$(ls one_$decomposer | wc -l)" -eq 5 ] || fail "$decomposer: files left over"
+  [ "$(ls one_$decomposer | wc -l)" -eq 7 ] || fail "$decomposer: files left over"
   [ "$(png_size one_$decomposer/labels.png)" = 190x90 ] || fail "$decomposer: labels.png has another size"
   [ "$(grep -c '"id":' one_$decomposer/rooms.json)" -eq 2 ] || fail "$decomposer: not two rooms"
   grep -qF '"rooms":[1,2]' one_$decomposer/rooms.json || fail "$decomposer: no door between the rooms"
   grep -qF '[-0.75,2.25]' one_$decomposer/rooms.json || fail "$decomposer: the origin is not honoured"
   grep -q '"decomposition": {"count": 1' one_$decomposer/timing.json || fail "$decomposer: timing.json"
 done
+# A map of Nav2's map_saver: 205 is unknown, and its YAML says that it is free.
+{ head -c 26 map.pgm | sed 's/190 90/190 91/'; tail -c +27 map.pgm; repeat 190 315; } > more.pgm
+sed 's/map.pgm/more.pgm/; s/0.196/0.25/' map.yaml > nav2.yaml
+expect "unknown grey" 0 "grey 205 (1 % of the pixels) counts as unknown" segment nav2.yaml -o nav2
+[ "$(grep -c '"id":' nav2/rooms.json)" -eq 2 ] || fail "unknown grey: not two rooms"
+refused "unknown grey, strict" "without --strict this is assumed" nav2.yaml --strict
 expect "bare picture" 0 "" segment map.pgm -o bare --resolution 0.05
 grep -qF '[0.25,0.25]' bare/rooms.json || fail "a bare picture does not begin at (0, 0)"
 expect "origin" 0 "" segment map.pgm -o moved --resolution 0.05 --origin 0.01,0
@@ -98,7 +104,9 @@ refused "negative resolution in YAML" "negative.yaml" negative.yaml
 yaml map.pgm .nan 0 > nan.yaml
 refused "NaN in YAML" "nan.yaml:2: resolution is '.nan'" nan.yaml
 yaml map.pgm 0.05 0.5 > turned.yaml
-refused "turned map" "rotate" turned.yaml
+expect "turned map" 0 "" segment turned.yaml -o turned
+grep -qF '[-0.9005,2.3393]' turned/rooms.json || fail "a turned origin is not honoured"
+grep -qF 'origin: [-1, 2, 0.5]' turned/labels.yaml || fail "labels.yaml: the origin is wrong"
 grep -v free_thresh map.yaml > no_threshold.yaml
 refused "unknown thresholds" "has no free_thresh" no_threshold.yaml
 sed 's/free_thresh: .*/free_thresh: low/' map.yaml > word.yaml
@@ -107,14 +115,13 @@ printf 'P5 65000 65000 255\n' > huge.pgm
 refused "huge PGM" "65000 x 65000 = 4225000000 cells; at most 100000000 are read (--max-cells" huge.pgm --resolution 0.05
 printf '\211PNG\r\n\032\n\0\0\0\015IHDR\0\0\375\350\0\0\375\350\010\0\0\0\0' > huge.png
 refused "huge PNG" "65000 x 65000" huge.png --resolution 0.05
-refused "colour picture" "overview.png: is a colour picture" bare/overview.png --resolution 0.05
-refused "16-bit picture" "labels.png: is a 16-bit picture" bare/labels.png --resolution 0.05
+refused "picture of labels" "labels.png: has no free cell" bare/labels.png --resolution 0.05
 { printf 'P5 4 4 255\n'; repeat 16 0; } > full.pgm
 refused "no free cell" "full.pgm: has no free cell" full.pgm --resolution 0.05
 { printf 'P5 4 4 255\n'; repeat 9 376; } > short.pgm
 refused "truncated picture" "short.pgm: ends before its last pixel" short.pgm --resolution 0.05
 printf 'hello' > hello.png
-refused "no picture" "neither a PGM nor a PNG" hello.png --resolution 0.05
+refused "no picture" "is no picture that is read" hello.png --resolution 0.05
 touch a_file
 expect "output that is a file" 1 "a_file" segment map.yaml -o a_file
 

@@ -2,14 +2,15 @@
 #include "occusg/io/map_reader.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <utility>
 
-#include "io/grey_picture.hpp"
 #include "io/json_text.hpp"
+#include "io/map_picture.hpp"
+#include "io/map_values.hpp"
 #include "io/map_yaml.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/rooms_file.hpp"
@@ -34,6 +35,7 @@ MapDescription barePicture(const std::string& path, const MapReaderOptions& opti
   return {path,
           *options.resolution_m,
           options.origin.value_or(Point2{}),
+          0.0,
           options.occupied_threshold.value_or(kDefaultOccupied),
           options.free_threshold.value_or(kDefaultFree),
           options.polarity.value_or(MapPolarity::kDarkIsOccupied),
@@ -55,24 +57,27 @@ void check(const MapDescription& map, const std::string& path) {
   }
 }
 
-/// The map's box, and how far the map really lies beside it.
+void checkReach(const MapDescription& map, const cv::Mat& pixels, const std::string& path) {
+  const double length_m = std::hypot(pixels.cols, pixels.rows) * map.resolution_m;
+  const double reach_m = std::max(std::abs(map.origin.x), std::abs(map.origin.y)) + length_m;
+  // Written so that NaN fails.
+  if (reach_m <= kMaxRoomCoordinate_m) return;
+  throw refuse(path,
+               "lies at " + toText(map.origin.x) + ", " + toText(map.origin.y) + " m and is " +
+                   toText(length_m) + " m across",
+               "coordinates up to " + toText(kMaxRoomCoordinate_m) + " m are used");
+}
+
+/// The map's box, and how its cells lie in the map frame.
 struct Placement {
   CellBox box;
-  Point2 offset;
+  MapPlacement in_map;
 };
 
-Placement placed(const MapDescription& map, const cv::Mat& pixels, const std::string& path) {
+Placement placed(const MapDescription& map, const cv::Mat& pixels) {
+  // A turned picture keeps its cells and is turned about its corner.
+  if (map.yaw_rad != 0.0) return {{{0, 0}, {pixels.cols, pixels.rows}}, {map.origin, map.yaw_rad}};
   const double resolution = map.resolution_m;
-  const auto isNear = [](double metres) { return std::abs(metres) <= kMaxRoomCoordinate_m; };
-  const Point2 far_corner{map.origin.x + pixels.cols * resolution,
-                          map.origin.y + pixels.rows * resolution};
-  if (!isNear(map.origin.x) || !isNear(map.origin.y) || !isNear(far_corner.x) ||
-      !isNear(far_corner.y)) {
-    throw refuse(path,
-                 "reaches from " + toText(map.origin.x) + ", " + toText(map.origin.y) + " to " +
-                     toText(far_corner.x) + ", " + toText(far_corner.y) + " m",
-                 "coordinates up to " + toText(kMaxRoomCoordinate_m) + " m are used");
-  }
   const Cell corner{static_cast<int>(std::lround(map.origin.x / resolution)),
                     static_cast<int>(std::lround(map.origin.y / resolution))};
   const auto residual = [resolution](double origin, int cell) {
@@ -81,33 +86,7 @@ Placement placed(const MapDescription& map, const cv::Mat& pixels, const std::st
     return std::abs(metres) < kOnBoundaryTolerance_m ? 0.0 : metres;
   };
   return {{corner, {corner.x + pixels.cols, corner.y + pixels.rows}},
-          {residual(map.origin.x, corner.x), residual(map.origin.y, corner.y)}};
-}
-
-std::int8_t cellValue(int grey, const MapDescription& map) {
-  if (map.polarity == MapPolarity::kDarkIsFree) grey = 255 - grey;
-  if (map.mode == MapMode::kRaw)
-    return grey <= kFullObstacle ? static_cast<std::int8_t>(grey) : kUnknown;
-  const double occupied = (255 - grey) / 255.0;
-  if (occupied > map.occupied_threshold) return kFullObstacle;
-  if (occupied < map.free_threshold) return kFree;
-  if (map.mode == MapMode::kTrinary) return kUnknown;
-  const double share =
-      (occupied - map.free_threshold) / (map.occupied_threshold - map.free_threshold);
-  return static_cast<std::int8_t>(1 + static_cast<int>(98.0 * share));
-}
-
-Grid<std::int8_t> cellsOf(const cv::Mat& pixels, const CellBox& box, const MapDescription& map) {
-  std::array<std::int8_t, 256> values{};
-  for (int grey = 0; grey < 256; ++grey)
-    values[static_cast<std::size_t>(grey)] = cellValue(grey, map);
-  Grid<std::int8_t> cells(box, kUnknown);
-  for (int row = 0; row < pixels.rows; ++row) {
-    const auto* source = pixels.ptr<std::uint8_t>(row);
-    std::transform(source, source + pixels.cols, &cells.at({box.min.x, box.max.y - 1 - row}),
-                   [&](std::uint8_t grey) { return values[grey]; });
-  }
-  return cells;
+          {{residual(map.origin.x, corner.x), residual(map.origin.y, corner.y)}, 0.0}};
 }
 
 void checkHasFreeCell(const Grid<std::int8_t>& cells, const MapDescription& map,
@@ -123,20 +102,41 @@ void checkHasFreeCell(const Grid<std::int8_t>& cells, const MapDescription& map,
 
 }  // namespace
 
+Point2 MapPlacement::operator()(const Point2& point) const {
+  if (yaw_rad == 0.0) return {point.x + offset.x, point.y + offset.y};
+  const double c = std::cos(yaw_rad);
+  const double s = std::sin(yaw_rad);
+  return {offset.x + c * point.x - s * point.y, offset.y + s * point.x + c * point.y};
+}
+
+Polygon MapPlacement::operator()(const Polygon& polygon) const {
+  Polygon placed_polygon = polygon;
+  for (Point2& point : placed_polygon.outer) point = (*this)(point);
+  for (Ring& hole : placed_polygon.holes)
+    for (Point2& point : hole) point = (*this)(point);
+  return placed_polygon;
+}
+
 GridMap readMap(const std::string& path, const MapReaderOptions& options) {
   if (options.max_cells < 1 || options.max_cells > kMaxMapCells) {
     throw refuse("max_cells", "is " + std::to_string(options.max_cells),
                  "a number from 1 to " + std::to_string(kMaxMapCells) + " is needed");
   }
-  const MapDescription map = isYaml(path) ? readMapYaml(path, options) : barePicture(path, options);
+  std::vector<std::string> assumptions;
+  const MapDescription map =
+      isYaml(path) ? readMapYaml(path, options, assumptions) : barePicture(path, options);
   check(map, path);
-  const cv::Mat pixels = readGreyPicture(map.picture_path, options.max_cells);
-  const Placement place = placed(map, pixels, path);
-  const Grid<std::int8_t> cells = cellsOf(pixels, place.box, map);
+  const MapPicture picture = readMapPicture(map.picture_path, options.max_cells);
+  checkReach(map, picture.grey, path);
+  const Placement place = placed(map, picture.grey);
+  const GivenThresholds given{options.free_threshold.has_value(),
+                              options.occupied_threshold.has_value()};
+  const Grid<std::int8_t> cells = mapCells(picture, map, given, place.box, assumptions);
   checkHasFreeCell(cells, map, path);
   return {std::filesystem::path(path).stem().string(),
           {GridFrame{map.resolution_m}, FreeSpaceCells(cells), place.box},
-          place.offset};
+          place.in_map,
+          std::move(assumptions)};
 }
 
 }  // namespace occusg

@@ -4,10 +4,13 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
 
+#include "io/json_text.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/file_bytes.hpp"
@@ -28,7 +31,9 @@ void refuseNesting(const std::string& yaml, const std::string& path) {
   constexpr std::size_t kMaxIndent = 64;
   for (std::string line; std::getline(stream, line) && !nests;) {
     const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
-    nests = first > kMaxIndent || line.compare(first, 3, "- -") == 0;
+    // A list in a list; "- -3.2" is a negative number in a list.
+    const bool is_list_in_list = line.compare(first, 4, "- - ") == 0 || line.substr(first) == "- -";
+    nests = first > kMaxIndent || is_list_in_list;
   }
   if (nests) throw refuse(path, "is nested deeply", kFlatIsNeeded);
 }
@@ -45,6 +50,12 @@ YAML::Node loaded(const std::string& path) {
   }
   if (!root.IsMap()) throw refuse(path, "holds no keys", kFlatIsNeeded);
   return root;
+}
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 /// The values of one file.
@@ -68,49 +79,63 @@ class Reader {
     return *value;
   }
 
-  [[nodiscard]] Point2 origin() const {
+  /// x, y [m] and yaw [rad].
+  [[nodiscard]] std::array<double, 3> origin() const {
     constexpr const char* kRight = "three numbers [x, y, yaw] are needed";
     const YAML::Node value = root_["origin"];
     if (!value) throw refuse(path_, "has no origin", kRight);
     if (!value.IsSequence() || value.size() != 3)
       throw wrong("origin", "not a list of three", kRight);
-    double numbers[3] = {0.0, 0.0, 0.0};
+    std::array<double, 3> numbers{};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string written = value[i].IsScalar() ? value[i].Scalar() : "";
       const auto number = numberIn(written);
       if (!number) throw wrong("origin", "'" + shown(written) + "' in part", kRight);
       numbers[i] = *number;
     }
-    constexpr double kNoYaw_rad = 1e-6;
-    if (std::abs(numbers[2]) > kNoYaw_rad) {
-      throw refuse(path_, "has an origin turned by " + value[2].Scalar() + " rad",
-                   "a yaw of 0 is needed: rotate the picture first");
-    }
-    return {numbers[0], numbers[1]};
+    constexpr double kFullTurn_rad = 6.3;
+    if (std::abs(numbers[2]) > kFullTurn_rad)
+      throw wrong("origin", "turned by " + toText(numbers[2]) + " rad",
+                  "a yaw within a full turn is needed");
+    return numbers;
   }
 
   [[nodiscard]] MapPolarity polarity() const {
     const std::string written = text("negate").value_or("0");
-    if (written == "0" || written == "false") return MapPolarity::kDarkIsOccupied;
-    if (written == "1" || written == "true") return MapPolarity::kDarkIsFree;
+    const std::string word = lowerCase(written);
+    const std::optional<double> number = numberIn(written);
+    if (number == 0.0 || word == "false" || word == "no" || word == "off")
+      return MapPolarity::kDarkIsOccupied;
+    if (number == 1.0 || word == "true" || word == "yes" || word == "on")
+      return MapPolarity::kDarkIsFree;
     throw wrong("negate", "'" + shown(written) + "'", "0 or 1 is needed");
   }
 
   [[nodiscard]] MapMode mode() const {
     const std::string written = text("mode").value_or("trinary");
-    if (written == "trinary") return MapMode::kTrinary;
-    if (written == "scale") return MapMode::kScale;
-    if (written == "raw") return MapMode::kRaw;
+    const std::string word = lowerCase(written);
+    if (word == "trinary") return MapMode::kTrinary;
+    if (word == "scale") return MapMode::kScale;
+    if (word == "raw") return MapMode::kRaw;
     throw wrong("mode", "'" + shown(written) + "'", "trinary, scale or raw is needed");
   }
 
-  [[nodiscard]] std::string picturePath() const {
+  /// Where the picture is: as the file says, else beside the file, which may have been moved.
+  [[nodiscard]] std::string picturePath(std::vector<std::string>& assumptions) const {
     const std::string name = text("image").value_or("");
     if (name.empty()) throw refuse(path_, "names no image", "the file name of a picture is needed");
     if (std::any_of(name.begin(), name.end(), isControl))
       throw wrong("image", "'" + shown(name) + "'", "a plain file name is needed");
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(path_).parent_path();
     // An absolute name replaces the folder.
-    return (std::filesystem::path(path_).parent_path() / name).string();
+    const fs::path written = folder / name;
+    const fs::path beside = folder / fs::path(name).filename();
+    std::error_code ignored;
+    if (fs::exists(written, ignored) || !fs::exists(beside, ignored)) return written.string();
+    assumptions.push_back("the image " + shown(name) +
+                          " is not there; the picture of that name beside " + path_ + " was read");
+    return beside.string();
   }
 
  private:
@@ -126,16 +151,23 @@ class Reader {
 
 }  // namespace
 
-MapDescription readMapYaml(const std::string& path, const MapReaderOptions& given) {
+MapDescription readMapYaml(const std::string& path, const MapReaderOptions& given,
+                           std::vector<std::string>& assumptions) {
   const Reader reader(path);
   const auto threshold = [&](const std::optional<double>& wanted, const char* key) {
     return wanted ? *wanted : reader.number(key, "a threshold from 0 to 1 is needed");
   };
   MapDescription map;
-  map.picture_path = reader.picturePath();
+  map.picture_path = reader.picturePath(assumptions);
   map.resolution_m = given.resolution_m ? *given.resolution_m
                                         : reader.number("resolution", "metres a pixel are needed");
-  map.origin = given.origin ? *given.origin : reader.origin();
+  if (given.origin) {
+    map.origin = *given.origin;
+  } else {
+    const std::array<double, 3> origin = reader.origin();
+    map.origin = {origin[0], origin[1]};
+    map.yaw_rad = origin[2];
+  }
   map.occupied_threshold = threshold(given.occupied_threshold, "occupied_thresh");
   map.free_threshold = threshold(given.free_threshold, "free_thresh");
   map.polarity = given.polarity ? *given.polarity : reader.polarity();

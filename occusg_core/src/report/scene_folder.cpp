@@ -45,7 +45,7 @@ std::optional<SeenFloor> seenFloorIn(const std::string& folder) {
   const std::string path = pathIn(folder, "free_space.yaml");
   if (!std::filesystem::exists(path, ignored)) return std::nullopt;
   const GridMap map = readMap(path);
-  SeenFloor floor{map.free_space.frame, map.offset,
+  SeenFloor floor{map.free_space.frame, map.in_map.offset,
                   Grid<std::uint8_t>(map.free_space.cells.box(), 0)};
   const Grid<std::int8_t> cells = map.free_space.cells.dense();
   for (std::size_t i = 0; i < cells.values().size(); ++i)

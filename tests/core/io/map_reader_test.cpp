@@ -70,7 +70,7 @@ TEST_F(MapReader, TakesAMapServerMapWithItsFirstRowOnTop) {
   EXPECT_EQ(map.free_space.cells.box(), (CellBox{{-20, 40}, {-17, 42}}));
   EXPECT_EQ(map.free_space.cells.dense().values(),
             (std::vector<std::int8_t>{kFree, kFree, kFree, kFree, kUnknown, kFullObstacle}));
-  EXPECT_EQ(map.offset, (Point2{0.0, 0.0}));
+  EXPECT_EQ(map.in_map.offset, (Point2{0.0, 0.0}));
 }
 
 TEST_F(MapReader, OriginBetweenCellsLeavesAnOffsetOfAtMostHalfACell) {
@@ -79,8 +79,8 @@ TEST_F(MapReader, OriginBetweenCellsLeavesAnOffsetOfAtMostHalfACell) {
   folder_.write("map.yaml", yaml);
   const GridMap map = readMap(folder_.at("map.yaml"));
   EXPECT_EQ(map.free_space.cells.box().min, (Cell{-20, 40}));
-  EXPECT_NEAR(map.offset.x, -0.02, 1e-12);
-  EXPECT_NEAR(map.offset.y, 0.02, 1e-12);
+  EXPECT_NEAR(map.in_map.offset.x, -0.02, 1e-12);
+  EXPECT_NEAR(map.in_map.offset.y, 0.02, 1e-12);
 }
 
 TEST_F(MapReader, BarePictureLiesInTheFirstQuadrant) {
@@ -135,7 +135,7 @@ TEST_F(MapReader, BrokenYamlIsNamedWithItsLine) {
   EXPECT_TRUE(tells(yamlFails("0.05", "0"), {"map.yaml: has a resolution of 0"}));
   EXPECT_TRUE(tells(yamlFails("0.05", "-0.05"), {"has a resolution of -0.05 m"}));
   EXPECT_TRUE(tells(yamlFails("0.05", ".nan"), {"map.yaml:2: resolution is '.nan'"}));
-  EXPECT_TRUE(tells(yamlFails("0.0]", "1.57]"), {"turned by 1.57 rad", "rotate"}));
+  EXPECT_TRUE(tells(yamlFails("0.0]", "90.0]"), {"turned by 90.0 rad", "within a full turn"}));
   EXPECT_TRUE(tells(yamlFails(", 0.0]", "]"), {"map.yaml:3: origin is not a list of three"}));
   EXPECT_TRUE(tells(yamlFails("2.0,", "up,"), {"map.yaml:3: origin is 'up' in part"}));
   EXPECT_TRUE(tells(yamlFails("origin: [-1.0, 2.0, 0.0]\n", ""), {"map.yaml: has no origin"}));
@@ -159,14 +159,7 @@ TEST_F(MapReader, DeepNestingNeverReachesTheParser) {
 }
 
 TEST_F(MapReader, PicturesOfAnotherKindAreNamed) {
-  EXPECT_TRUE(tells(pictureFails(pngOf(cv::Mat(2, 2, CV_8UC3, cv::Scalar::all(255)))),
-                    {"map.pgm: is a colour picture", "8-bit grey"}));
-  EXPECT_TRUE(tells(pictureFails(pngOf(cv::Mat(2, 2, CV_16UC1, cv::Scalar(9)))),
-                    {"map.pgm: is a 16-bit picture"}));
-  EXPECT_TRUE(tells(pictureFails("P6 2 2 255\n"), {"is a colour picture"}));
-  EXPECT_TRUE(tells(pictureFails("P5 2 2 65535\n12345678"), {"is a 16-bit picture"}));
-  EXPECT_TRUE(tells(pictureFails("P5 2 2 100\n1234"), {"has 100 as its largest grey"}));
-  EXPECT_TRUE(tells(pictureFails("GIF89a"), {"is neither a PGM nor a PNG"}));
+  EXPECT_TRUE(tells(pictureFails("GIF89a"), {"is no picture that is read", "a PNG, PGM"}));
   EXPECT_TRUE(tells(pictureFails(""), {"map.pgm: is empty"}));
 }
 
@@ -174,8 +167,9 @@ TEST_F(MapReader, IncompletePicturesAreNamed) {
   EXPECT_TRUE(tells(pictureFails("P5 3 2 255\n12345"), {"ends before its last pixel", "3 x 2"}));
   EXPECT_TRUE(tells(pictureFails("P2 3 2 255\n1 2 3 4 5"), {"ends before its last pixel"}));
   EXPECT_TRUE(tells(pictureFails("P2 1 1 255\n256"), {"has a pixel of value 256"}));
-  EXPECT_TRUE(tells(pictureFails("P5 3"), {"has no readable PGM header"}));
-  EXPECT_TRUE(tells(pictureFails("P5 12345678901 2 255\n"), {"has no readable PGM header"}));
+  EXPECT_TRUE(tells(pictureFails("P5 3"), {"has no readable header of a portable map"}));
+  EXPECT_TRUE(
+      tells(pictureFails("P5 12345678901 2 255\n"), {"has no readable header of a portable map"}));
   const std::string png = pngOf(cv::Mat(20, 20, CV_8UC1, cv::Scalar(255)));
   EXPECT_TRUE(tells(pictureFails(png.substr(0, png.size() - 20)), {"truncated"}));
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "occusg/geometry/polygon.hpp"
 #include "occusg/mapping/free_space.hpp"
@@ -36,20 +37,33 @@ struct MapReaderOptions {
   std::size_t max_cells = kDefaultMaxMapCells;  ///< At most kMaxMapCells.
 };
 
+/// How the cells of a map lie in the map frame: turned about their frame's origin, then moved.
+struct MapPlacement {
+  Point2 offset;         ///< [m]
+  double yaw_rad = 0.0;  ///< Counter-clockwise.
+
+  [[nodiscard]] Point2 operator()(const Point2& point) const;
+  [[nodiscard]] Polygon operator()(const Polygon& polygon) const;
+};
+
 /// A finished 2D map. Cells are aligned to multiples of the resolution, a map's origin need not be:
-/// the picture lies at the nearest aligned place, and map frame = frame of `free_space` + `offset`.
+/// a picture that is not turned lies at the nearest aligned place, at most half a cell away in x
+/// and y; a turned one has its corner at (0, 0).
 struct GridMap {
   std::string name;      ///< File name without ending.
   FreeSpace free_space;  ///< Its box is the picture's: a cell a pixel.
-  Point2 offset;         ///< At most half a cell in x and y [m].
+  MapPlacement in_map;   ///< Map frame = in_map(frame of `free_space`).
+  std::vector<std::string>
+      assumptions;  ///< What the file leaves open and was assumed, a sentence each.
 };
 
-/// Reads a map as `map_server` does (wiki.ros.org/map_server): a YAML file (`image`, `resolution`,
-/// `origin`, `occupied_thresh`, `free_thresh`, and if present `negate`, `mode`) that names an 8-bit
-/// grey PGM or PNG, or such a picture alone, whose lower left corner is the origin. With v a
-/// pixel's value, a cell is occupied with probability p = (255 - v) / 255, or v / 255 negated.
+/// Reads a map as ROS 1 `map_server` does (wiki.ros.org/map_server): a YAML file (`image`,
+/// `resolution`, `origin`, `occupied_thresh`, `free_thresh`, and if present `negate`, `mode`) that
+/// names a picture (`readMapPicture`), or such a picture alone, whose lower left corner is the
+/// origin. With v a pixel's value, a cell is occupied with probability p = (255 - v) / 255, or v /
+/// 255 negated.
 /// @throws Error naming file and value: a file missing, broken, of another kind, too large (said
-/// before anything is allocated), turned by a yaw, without resolution or without a free cell.
+/// before anything is allocated), without resolution or without a free cell.
 [[nodiscard]] GridMap readMap(const std::string& path, const MapReaderOptions& options = {});
 
 }  // namespace occusg
