@@ -35,6 +35,7 @@ occusg_add_floor(mapping
     free_space_cells.cpp
     free_space_layer.cpp
     lattice_projection.cpp
+    layer_without_rays.cpp
     local_floor.cpp
     measured_evidence.cpp
     occupancy_map.cpp

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "occusg/error.hpp"
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/overview_picture.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
+#include "occusg/mapping/layer_without_rays.hpp"
 #include "occusg/pipeline/config_file.hpp"
 
 namespace occusg::apps {
@@ -24,6 +26,8 @@ CommandHelp projectHelp() {
           "Makes the 2D free-space layer of a saved OctoMap (.bt or .ot, OcTree or ColorOcTree).\n"
           "The resolution is the file's; everything else of mapping.free_space in the\n"
           "configuration holds, such as which heights count.\n\n"
+          "A map made from a point cloud has no free voxel: its walls are drawn as obstacles, and\n"
+          "--unknown-is-free makes free what they enclose.\n\n"
           "OUT receives free_space.pgm and .yaml, as map_server and 'occusg segment' read them,\n"
           "and overview.png.\n\n"
           "  occusg project building.bt -o out/building\n"
@@ -35,6 +39,9 @@ po::options_description projectOptions() {
   po::options_description options("Options");
   addOutputOption(options);
   addConfigOption(options);
+  options.add_options()("unknown-is-free",
+                        "in a map without free voxels, what obstacles enclose is free")(
+      "strict", "a map that needs an assumption is an error");
   return options;
 }
 
@@ -59,6 +66,14 @@ void report(const OctomapHeader& header, const FreeSpace& layer) {
             << (static_cast<double>(cells.size()) - free - unknown) * cell_m2 << " m2 obstacles\n";
 }
 
+void tellNoRays(const std::string& path, bool strict) {
+  const std::string what =
+      "has no free voxel: it was made without rays, as from a point cloud, so nothing is free";
+  const std::string right = "--unknown-is-free makes free what its obstacles enclose";
+  if (strict) throw refuse(path, what, right);
+  std::cerr << "occusg: " << path << ": " << what << "; " << right << '\n';
+}
+
 }  // namespace
 
 ExitCode projectCommand(const std::vector<std::string>& arguments) {
@@ -70,7 +85,12 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
   const OctomapHeader header = readOctomapHeader(path);
   const OccupancyMap map = readOctomap(path, configFor(header, config));
   FreeSpaceLayer projection(config.free_space, GridFrame{header.resolution_m});
-  const FreeSpace& layer = projection.recompute(map);
+  const bool has_rays = header.node_count == 0 || hasFreeVoxel(map.tree());
+  const UnseenSpace unseen =
+      values.count("unknown-is-free") > 0 ? UnseenSpace::kFree : UnseenSpace::kUnknown;
+  if (!has_rays && unseen == UnseenSpace::kUnknown) tellNoRays(path, values.count("strict") > 0);
+  const FreeSpace layer = has_rays ? projection.recompute(map)
+                                   : layerWithoutRays(map.tree(), config.free_space, unseen);
 
   const OutputFolder folder(values["output"].as<std::string>());
   const MapFiles files = toMapFiles(layer, "free_space.pgm");

@@ -36,6 +36,14 @@ expect "run of all frames" 0 "" run "$(short_recording all 24 && echo all)" -o w
 cmp -s second/map.ot whole/map.ot || fail "run --map: the map differs from that of one run"
 cmp -s second/free_space.pgm whole/free_space.pgm || fail "run --map: the layer differs"
 
+# --- A map made from a point cloud: the walls of a room of 0.8 m x 0.8 m, no free voxel
+/usr/bin/python3 "$(dirname "${BASH_SOURCE[0]}")/walls_only_map.py" walls_only.bt
+expect "map without rays" 0 "has no free voxel" project walls_only.bt -o walls
+grep -q "0.00 m2 free, 0.36 m2 obstacles" out.txt || fail "map without rays: the walls are not drawn"
+refused "map without rays, strict" "--unknown-is-free" project walls_only.bt --strict
+expect "unknown is free" 0 "" project walls_only.bt -o walls --unknown-is-free
+grep -q "0.64 m2 free, 0.36 m2 obstacles" out.txt || fail "unknown is free: the room is not free"
+
 # --- Maps that cannot be used
 refused "no map" "does not exist" project nowhere.bt
 refused "run from no map" "does not exist" run short --map nowhere.bt

@@ -74,7 +74,7 @@ OccupancyMap readOctomap(const std::string& path, const OccupancyMapConfig& conf
   std::string bytes = readFile(path, kMaxOctomapHeaderBytes + kMaxNodeBytes * announced.node_count);
   const OctomapHeader header = scanOctomapHeader(bytes, path);
   checkNodeCount(header, path, max_nodes);
-  checkOctomapData(bytes, header, path);
+  checkOctomapData(bytes, header, path, config.max_memory_mb);
   return OccupancyMap(config, treeOf(std::move(bytes), header, config));
 }
 

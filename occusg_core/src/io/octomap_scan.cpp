@@ -18,6 +18,10 @@ namespace {
 constexpr const char* kBinaryFirstLine = "# Octomap OcTree binary file";
 constexpr const char* kFullFirstLine = "# Octomap OcTree file";
 constexpr unsigned kTreeDepth = 16;
+/// Nodes so deep stand for a block of 8 x 8 x 8 voxels, which costs so much in the map's columns.
+constexpr unsigned kBlockDepth = 13;
+constexpr double kBytesPerBlock = 272.0;
+constexpr double kMebibyte = 1048576.0;
 constexpr double kFinest_m = 0.001;
 constexpr double kCoarsest_m = 10.0;
 
@@ -102,8 +106,13 @@ class HeaderReader {
 /// index. Recursion ends at the depth of the tree whatever the bytes say.
 class DataScan {
  public:
-  DataScan(const std::string& bytes, const OctomapHeader& header, const std::string& where)
-      : bytes_(bytes), header_(header), where_(where), at_(header.data_begin) {}
+  DataScan(const std::string& bytes, const OctomapHeader& header, const std::string& where,
+           double max_memory_mb)
+      : bytes_(bytes),
+        header_(header),
+        where_(where),
+        max_blocks_(max_memory_mb * kMebibyte / kBytesPerBlock),
+        at_(header.data_begin) {}
 
   void run() {
     if (header_.node_count > 0) {
@@ -131,6 +140,17 @@ class DataScan {
 
   void count() {
     if (++nodes_ > header_.node_count) throw refuse(where_, "holds more nodes", declared());
+  }
+
+  /// A node without children at `depth` stands for a cube of blocks; at most one for the deepest.
+  void countBlocks(unsigned depth) {
+    blocks_ +=
+        depth >= kBlockDepth ? 1.0 : std::ldexp(1.0, 3 * static_cast<int>(kBlockDepth - depth));
+    if (blocks_ <= max_blocks_) return;
+    throw refuse(where_,
+                 "stands for more than " + std::to_string(static_cast<std::int64_t>(max_blocks_)) +
+                     " blocks of 8 x 8 x 8 voxels",
+                 "a map that fits into mapping.occupancy.max_memory_mb is needed");
   }
 
   const char* take(std::size_t size) {
@@ -165,8 +185,12 @@ class DataScan {
     const unsigned children = static_cast<unsigned char>(record[0]) |
                               static_cast<unsigned>(static_cast<unsigned char>(record[1])) << 8U;
     requireChildren(children != 0);
-    for (unsigned i = 0; i < 8; ++i)
-      if (((children >> (2 * i)) & 3U) != 0) count();
+    if (depth == kBlockDepth) countBlocks(depth);
+    for (unsigned i = 0; i < 8; ++i) {
+      const unsigned state = (children >> (2 * i)) & 3U;
+      if (state != 0) count();
+      if (state != 0 && state != kInner && depth < kBlockDepth) countBlocks(depth + 1);
+    }
     for (unsigned i = 0; i < 8; ++i)
       if (((children >> (2 * i)) & 3U) == kInner) scanBinaryNode(depth + 1);
   }
@@ -184,6 +208,7 @@ class DataScan {
     const unsigned children = static_cast<unsigned char>(record[size - 1]);
     if (depth == 0) requireChildren(children != 0);
     if (children != 0) checkDepth(depth);
+    if (depth == kBlockDepth || (children == 0 && depth < kBlockDepth)) countBlocks(depth);
     for (unsigned i = 0; i < 8; ++i) {
       if (((children >> i) & 1U) == 0) continue;
       count();
@@ -194,8 +219,10 @@ class DataScan {
   const std::string& bytes_;
   const OctomapHeader& header_;
   const std::string& where_;
+  double max_blocks_;
   std::size_t at_;
   std::size_t nodes_ = 0;
+  double blocks_ = 0.0;  ///< That the tree's voxels fill.
 };
 
 }  // namespace
@@ -226,8 +253,8 @@ OctomapHeader scanOctomapHeader(const std::string& bytes, const std::string& whe
 }
 
 void checkOctomapData(const std::string& bytes, const OctomapHeader& header,
-                      const std::string& where) {
-  DataScan(bytes, header, where).run();
+                      const std::string& where, double max_memory_mb) {
+  DataScan(bytes, header, where, max_memory_mb).run();
 }
 
 std::size_t octomapNodeBytes(const OctomapHeader& header) {

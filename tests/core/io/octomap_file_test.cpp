@@ -215,6 +215,20 @@ TEST_F(OctomapFile, DeepNestingIsRefusedAtLevelSeventeen) {
   EXPECT_TRUE(tells(refusal(binary), {"below level 16"}));
 }
 
+TEST_F(OctomapFile, FailureMode17FewBytesThatStandForABuildingAreRefused) {
+  // A chain of inner nodes down to one pruned leaf of 2048 voxels a side.
+  std::string bomb = header("6", "res 0.05\ndata\n", "binary ");
+  for (int i = 0; i < 4; ++i) bomb += std::string{3, 0};
+  bomb += std::string{1, 0};
+  EXPECT_TRUE(tells(refusal(bomb), {"stands for more than", "blocks", "max_memory_mb"}));
+  // A leaf of 64 voxels a side is a hall.
+  std::string hall = header("11", "res 0.05\ndata\n", "binary ");
+  for (int i = 0; i < 9; ++i) hall += std::string{3, 0};
+  hall += std::string{1, 0};
+  folder_.write("hall.bt", hall);
+  EXPECT_EQ(readOctomap(folder_.at("hall.bt"), {}).tree().getNumLeafNodes(), 1U);
+}
+
 TEST_F(OctomapFile, TreesThatCannotBeAreRefused) {
   const std::string leaf(5, '\0');
   EXPECT_TRUE(tells(refusal(header("1") + leaf), {"inner node without children"}));

@@ -40,9 +40,9 @@ inline constexpr std::size_t kMaxOctomapHeaderBytes = std::size_t{1} << 16U;
 /// the voxels get the clamping values of `config`, as OctoMap does.
 /// @param config of the map; its resolution must be the file's (within 1e-5 of it).
 /// @throws Error naming the file and the fault: missing, no OctoMap file, of another tree type, a
-/// resolution or node count that is no such thing, more than `max_nodes`, cut short, followed by
-/// more bytes, deeper than 16 levels, an inner node without children, log-odds that are not finite,
-/// one single node that would fill all space.
+/// resolution or node count that is no such thing, more than `max_nodes`, voxels beyond
+/// `max_memory_mb` of `config`, cut short, followed by more bytes, deeper than 16 levels, an inner
+/// node without children, log-odds that are not finite, one single node that would fill all space.
 [[nodiscard]] OccupancyMap readOctomap(const std::string& path, const OccupancyMapConfig& config,
                                        std::size_t max_nodes = kMaxOctomapNodes);
 
