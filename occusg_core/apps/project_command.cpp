@@ -83,12 +83,19 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
   const PipelineConfig config = loadConfig(values["config"].as<std::string>());
   const std::string path = values["MAP"].as<std::string>();
   const OctomapHeader header = readOctomapHeader(path);
-  const OccupancyMap map = readOctomap(path, configFor(header, config));
+  std::vector<std::string> assumptions;
+  const OccupancyMap map =
+      readOctomap(path, configFor(header, config), kMaxOctomapNodes, &assumptions);
+  const bool strict = values.count("strict") > 0;
+  for (const std::string& assumption : assumptions) {
+    if (strict) throw refuse(path, assumption, "without --strict this is assumed");
+    std::cerr << "occusg: " << path << ": " << assumption << '\n';
+  }
   FreeSpaceLayer projection(config.free_space, GridFrame{header.resolution_m});
   const bool has_rays = header.node_count == 0 || hasFreeVoxel(map.tree());
   const UnseenSpace unseen =
       values.count("unknown-is-free") > 0 ? UnseenSpace::kFree : UnseenSpace::kUnknown;
-  if (!has_rays && unseen == UnseenSpace::kUnknown) tellNoRays(path, values.count("strict") > 0);
+  if (!has_rays && unseen == UnseenSpace::kUnknown) tellNoRays(path, strict);
   const FreeSpace layer = has_rays ? projection.recompute(map)
                                    : layerWithoutRays(map.tree(), config.free_space, unseen);
 

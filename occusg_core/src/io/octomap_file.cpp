@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "io/json_text.hpp"
 #include "io/octomap_scan.hpp"
@@ -67,14 +68,23 @@ OctomapHeader readOctomapHeader(const std::string& path) {
 }
 
 OccupancyMap readOctomap(const std::string& path, const OccupancyMapConfig& config,
-                         std::size_t max_nodes) {
+                         std::size_t max_nodes, std::vector<std::string>* assumptions) {
   const OctomapHeader announced = readOctomapHeader(path);
   checkNodeCount(announced, path, max_nodes);
   checkResolution(announced, path, config.resolution_m);
-  std::string bytes = readFile(path, kMaxOctomapHeaderBytes + kMaxNodeBytes * announced.node_count);
-  const OctomapHeader header = scanOctomapHeader(bytes, path);
+  const std::size_t likely_nodes = assumptions == nullptr ? announced.node_count : max_nodes;
+  std::string bytes = readFile(path, kMaxOctomapHeaderBytes + kMaxNodeBytes * likely_nodes);
+  OctomapHeader header = scanOctomapHeader(bytes, path);
   checkNodeCount(header, path, max_nodes);
-  checkOctomapData(bytes, header, path, config.max_memory_mb);
+  const std::size_t nodes = checkOctomapData(bytes, header, path, config.max_memory_mb);
+  if (nodes != header.node_count) {
+    const std::string declared = std::to_string(header.node_count) + " are declared";
+    if (assumptions == nullptr)
+      throw refuse(path, "holds " + std::to_string(nodes) + " nodes", declared);
+    assumptions->push_back("holds " + std::to_string(nodes) + " nodes, " + declared +
+                           "; the tree is whole and was read");
+    header.node_count = nodes;
+  }
   return OccupancyMap(config, treeOf(std::move(bytes), header, config));
 }
 

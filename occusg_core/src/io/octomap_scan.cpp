@@ -115,7 +115,7 @@ class DataScan {
         at_(header.data_begin) {}
 
   void run() {
-    if (header_.node_count > 0) {
+    if (header_.node_count > 0 || at_ < bytes_.size()) {
       count();
       if (header_.encoding == OctomapEncoding::kBinary) {
         scanBinaryNode(0);
@@ -129,18 +129,16 @@ class DataScan {
                        std::to_string(nodes_) + " nodes",
                    "nothing may follow the tree");
     }
-    if (nodes_ != header_.node_count)
-      throw refuse(where_, "holds " + std::to_string(nodes_) + " nodes", declared());
   }
+
+  [[nodiscard]] std::size_t nodes() const { return nodes_; }
 
  private:
   [[nodiscard]] std::string declared() const {
     return std::to_string(header_.node_count) + " are declared";
   }
 
-  void count() {
-    if (++nodes_ > header_.node_count) throw refuse(where_, "holds more nodes", declared());
-  }
+  void count() { ++nodes_; }
 
   /// A node without children at `depth` stands for a cube of blocks; at most one for the deepest.
   void countBlocks(unsigned depth) {
@@ -225,9 +223,34 @@ class DataScan {
   double blocks_ = 0.0;  ///< That the tree's voxels fill.
 };
 
+/// The header of OctoMap before 1.0: tree type 3, resolution and node count in binary, then a
+/// `.bt`'s data.
+std::optional<OctomapHeader> legacyHeader(const std::string& bytes) {
+  constexpr std::int32_t kLegacyOcTree = 3;
+  constexpr std::size_t kLegacyBytes =
+      sizeof(std::int32_t) + sizeof(double) + sizeof(std::uint32_t);
+  if (bytes.size() < kLegacyBytes) return std::nullopt;
+  std::int32_t type = 0;
+  double resolution_m = 0.0;
+  std::uint32_t nodes = 0;
+  std::memcpy(&type, bytes.data(), sizeof(type));
+  std::memcpy(&resolution_m, bytes.data() + sizeof(type), sizeof(resolution_m));
+  std::memcpy(&nodes, bytes.data() + sizeof(type) + sizeof(resolution_m), sizeof(nodes));
+  if (type != kLegacyOcTree || !(resolution_m >= kFinest_m && resolution_m <= kCoarsest_m))
+    return std::nullopt;
+  OctomapHeader header;
+  header.encoding = OctomapEncoding::kBinary;
+  header.tree_type = "OcTree";
+  header.node_count = nodes;
+  header.resolution_m = resolution_m;
+  header.data_begin = kLegacyBytes;
+  return header;
+}
+
 }  // namespace
 
 OctomapHeader scanOctomapHeader(const std::string& bytes, const std::string& where) {
+  if (const std::optional<OctomapHeader> legacy = legacyHeader(bytes)) return *legacy;
   const std::optional<OctomapEncoding> encoding = encodingOf(bytes);
   if (!encoding) {
     throw refuse(where, "is no OctoMap file",
@@ -252,9 +275,11 @@ OctomapHeader scanOctomapHeader(const std::string& bytes, const std::string& whe
                "a whole OctoMap file is needed");
 }
 
-void checkOctomapData(const std::string& bytes, const OctomapHeader& header,
-                      const std::string& where, double max_memory_mb) {
-  DataScan(bytes, header, where, max_memory_mb).run();
+std::size_t checkOctomapData(const std::string& bytes, const OctomapHeader& header,
+                             const std::string& where, double max_memory_mb) {
+  DataScan scan(bytes, header, where, max_memory_mb);
+  scan.run();
+  return scan.nodes();
 }
 
 std::size_t octomapNodeBytes(const OctomapHeader& header) {

@@ -215,6 +215,36 @@ TEST_F(OctomapFile, DeepNestingIsRefusedAtLevelSeventeen) {
   EXPECT_TRUE(tells(refusal(binary), {"below level 16"}));
 }
 
+TEST_F(OctomapFile, WholeTreeOfAnotherCountIsReadWhereThatMayBeSaid) {
+  const OccupancyMap map = scannedRoom();
+  std::string bytes = toOctomap(map.tree(), OctomapEncoding::kFull);
+  const std::string size = "size " + std::to_string(map.tree().size());
+  bytes.replace(bytes.find(size), size.size(), "size 17");
+  folder_.write("map", bytes);
+  std::vector<std::string> assumptions;
+  const OccupancyMap read =
+      readOctomap(folder_.at("map"), OccupancyMapConfig{}, kMaxOctomapNodes, &assumptions);
+  EXPECT_EQ(read.tree().size(), map.tree().size());
+  ASSERT_EQ(assumptions.size(), 1U);
+  EXPECT_TRUE(tells(assumptions.front(), {"17 are declared", "was read"}));
+}
+
+TEST_F(OctomapFile, HeaderOfOctoMapBeforeOneIsRead) {
+  const std::int32_t type = 3;
+  const double resolution_m = 0.05;
+  const std::uint32_t nodes = 3;
+  std::string bytes(reinterpret_cast<const char*>(&type), sizeof(type));
+  bytes.append(reinterpret_cast<const char*>(&resolution_m), sizeof(resolution_m));
+  bytes.append(reinterpret_cast<const char*>(&nodes), sizeof(nodes));
+  for (int i = 0; i < 15; ++i) bytes += std::string{3, 0};
+  bytes += std::string{2, 0};
+  folder_.write("old.bt", bytes);
+  std::vector<std::string> assumptions;
+  const OccupancyMap map =
+      readOctomap(folder_.at("old.bt"), OccupancyMapConfig{}, kMaxOctomapNodes, &assumptions);
+  EXPECT_EQ(map.tree().getNumLeafNodes(), 1U);
+}
+
 TEST_F(OctomapFile, FailureMode17FewBytesThatStandForABuildingAreRefused) {
   // A chain of inner nodes down to one pruned leaf of 2048 voxels a side.
   std::string bomb = header("6", "res 0.05\ndata\n", "binary ");

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "occusg/mapping/occupancy_map.hpp"
 
@@ -39,12 +40,15 @@ inline constexpr std::size_t kMaxOctomapHeaderBytes = std::size_t{1} << 16U;
 /// anything is built: a file that is refused costs its own size in memory and one pass. In a `.bt`
 /// the voxels get the clamping values of `config`, as OctoMap does.
 /// @param config of the map; its resolution must be the file's (within 1e-5 of it).
+/// @param assumptions receives a sentence when a whole tree has another number of nodes than
+/// declared, as some programs write; without it such a file is refused.
 /// @throws Error naming the file and the fault: missing, no OctoMap file, of another tree type, a
 /// resolution or node count that is no such thing, more than `max_nodes`, voxels beyond
 /// `max_memory_mb` of `config`, cut short, followed by more bytes, deeper than 16 levels, an inner
 /// node without children, log-odds that are not finite, one single node that would fill all space.
 [[nodiscard]] OccupancyMap readOctomap(const std::string& path, const OccupancyMapConfig& config,
-                                       std::size_t max_nodes = kMaxOctomapNodes);
+                                       std::size_t max_nodes = kMaxOctomapNodes,
+                                       std::vector<std::string>* assumptions = nullptr);
 
 /// The bytes of a map file that OctoMap's own reader takes, and `readOctomap`.
 [[nodiscard]] std::string toOctomap(const octomap::OcTree& tree, OctomapEncoding encoding);
