@@ -20,6 +20,7 @@ occusg_add_floor(perception
     letterbox.cpp
     onnx_segmenter.cpp
     onnx_signature.cpp
+    pose_gate.cpp
     range_image.cpp
     yolo_output.cpp
   USES geometry
@@ -29,6 +30,7 @@ occusg_add_floor(mapping
   SOURCES
     column_bits.cpp
     depth_bounds.cpp
+    far_islands.cpp
     frame_carver.cpp
     frame_rays.cpp
     frame_voxels.cpp

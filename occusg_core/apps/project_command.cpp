@@ -91,6 +91,8 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
     if (strict) throw refuse(path, assumption, "without --strict this is assumed");
     std::cerr << "occusg: " << path << ": " << assumption << '\n';
   }
+  if (!map.cutIslands().none())
+    std::cerr << "occusg: " << path << ": " << sentenceOn(map.cutIslands()) << '\n';
   FreeSpaceLayer projection(config.free_space, GridFrame{header.resolution_m});
   const bool has_rays = header.node_count == 0 || hasFreeVoxel(map.tree());
   const UnseenSpace unseen =

@@ -153,13 +153,24 @@ RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeli
   return outcome;
 }
 
+void sayWhatWasCut(const OccupancyMap& map, const std::string& where) {
+  if (!map.cutIslands().none())
+    std::cerr << "occusg: " << where << ": " << sentenceOn(map.cutIslands()) << '\n';
+}
+
+OccupancyMap mapIn(const std::string& path, const OccupancyMapConfig& config) {
+  OccupancyMap map = readOctomap(path, config);
+  sayWhatWasCut(map, path);
+  return map;
+}
+
 /// Makes the pipeline go on from what the options name; the last stamp it knows.
 std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) {
   const auto map = given<std::string>(values, "map");
   const auto session_folder = given<std::string>(values, "resume");
   const OccupancyMapConfig& config = pipeline.config().occupancy;
   if (!session_folder) {
-    if (map) pipeline.startFrom(readOctomap(*map, config));
+    if (map) pipeline.startFrom(mapIn(*map, config));
     return std::nullopt;
   }
   Session session = loadSession(*session_folder, config);
@@ -169,6 +180,7 @@ std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) 
     throw refuse(*session_folder, "was saved without a 3D map",
                  "name the one that was saved beside it, as in --map map.ot");
   }
+  sayWhatWasCut(*session.map, *session_folder);
   const double stamp_s = session.state.stamp_s;
   pipeline.resume(std::move(session));
   return stamp_s;
@@ -189,12 +201,20 @@ void failWhenMostFramesAreBad(const RunOutcome& outcome, const std::string& scen
                "at least half must be usable");
 }
 
+void failWhenMostPosesAreBad(const MapCounts& counts, const std::string& scene) {
+  if (2 * counts.framesMisplaced() <= counts.frames) return;
+  throw refuse(scene,
+               std::to_string(counts.framesMisplaced()) + " of " + std::to_string(counts.frames) +
+                   " frames have poses outside the map or that jumped",
+               "poses in metres near the origin of the map frame are needed");
+}
+
 void printCounts(const PipelineCounts& counts) {
   const PixelDrops& drops = counts.pixel_drops;
   std::cout << "\n  " << counts.frames << " frames, " << counts.points
             << " points; pixels dropped: " << drops.zero << " without return, " << drops.too_near
             << " too near, " << drops.too_far << " too far, "
-            << drops.nan + drops.infinite + drops.negative << " not a depth\n  "
+            << drops.nan + drops.infinite + drops.negative + drops.implausible << " not a depth\n  "
             << counts.region_updates << " region updates, " << counts.rejected_region_updates
             << " rejected; " << counts.room_id_switches << " room id switches\n";
   if (counts.objects.detections + counts.refused_masks.total() > 0) {
@@ -209,6 +229,10 @@ void printCounts(const PipelineCounts& counts) {
   say(counts.points_outside_map,
       " points ignored: they lie beyond the 32 768 voxels an OctoMap reaches from its origin");
   say(counts.frames_outside_map, " frames from outside the map, ignored");
+  say(counts.frames_too_fast,
+      " frames ignored: their pose jumped farther than perception.poses.max_speed_m_s allows");
+  say(counts.frames_beyond_span,
+      " frames ignored: with them the map would span more than a free-space layer can");
   say(counts.frames_without_depth, " frames without any depth");
   say(counts.frames_from_occupied, " frames from inside an occupied voxel, not mapped");
   say(counts.frames_without_memory,
@@ -272,6 +296,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
                  values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip, known_until_s);
   failWhenMostFramesAreBad(outcome, sequence.scene());
   failWhenNoFrameIsNew(outcome, sequence.scene());
+  failWhenMostPosesAreBad(pipeline.counts(), sequence.scene());
   // Before `finish`, and written after the results: a session that cannot be saved costs none.
   std::optional<SessionState> session;
   if (session_folder) session = pipeline.sessionState(sequence.scene());

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/graph/agent_layer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "occusg/error.hpp"
+#include "occusg/graph/limits.hpp"
 
 namespace occusg {
 namespace {
@@ -12,9 +16,30 @@ namespace {
 // are good to a micrometre, stamps of this century to less than a microsecond.
 constexpr double kRounding = 1e-6;
 
+/// Removes an agent; the one before it leads to the one after it.
+void removeFromTrajectory(SceneGraph& graph, NodeId agent) {
+  const std::vector<NodeId> before = graph.sources(EdgeType::kTemporal, agent);
+  const std::vector<NodeId> after = graph.targets(EdgeType::kTemporal, agent);
+  graph.remove(agent);
+  if (!before.empty() && !after.empty())
+    graph.connect({EdgeType::kTemporal, before.front(), after.front(), {}});
+}
+
+const AgentLayerConfig& checked(const AgentLayerConfig& config) {
+  if (!(config.recent_s > 0.0) || !(config.old_spacing_m > 0.0)) {
+    throw refuse("recent_s or old_spacing_m", "is not positive",
+                 "seconds and metres above 0 are needed");
+  }
+  if (config.max_agents < 2 || config.max_agents > static_cast<int>(kMaxGraphNodes / 2)) {
+    throw refuse("max_agents", "is " + std::to_string(config.max_agents),
+                 "it must be in [2, " + std::to_string(kMaxGraphNodes / 2) + "]");
+  }
+  return config;
+}
+
 }  // namespace
 
-AgentLayer::AgentLayer(const AgentLayerConfig& config) : config_(config) {}
+AgentLayer::AgentLayer(const AgentLayerConfig& config) : config_(checked(config)) {}
 
 std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_camera,
                                           double stamp_s) {
@@ -28,6 +53,10 @@ std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_c
   }
   last_stamp_s_ = stamp_s;
   const Eigen::Vector3d position = T_map_camera.translation();
+  if (!isWithinGraph(position)) {
+    ++poses_out_of_reach_;
+    return std::nullopt;
+  }
   if (last_agent_) {
     const double moved_m = (position - last_agent_->position).norm();
     const double elapsed_s = stamp_s - last_agent_->stamp_s;
@@ -38,7 +67,38 @@ std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_c
   const NodeId agent = graph.add(position, stamp_s, AgentAttributes{T_map_camera}).id;
   if (last_agent_) graph.connect({EdgeType::kTemporal, last_agent_->agent, agent, {}});
   last_agent_ = Sample{agent, position, stamp_s};
+  thin(graph, stamp_s);
   return agent;
+}
+
+AgentLayer::Place AgentLayer::placeOf(const Node& agent) const {
+  Place place{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cell = std::floor(agent.position(axis) / config_.old_spacing_m);
+    place[static_cast<std::size_t>(axis)] =
+        static_cast<std::int32_t>(std::clamp<double>(cell, -2e9, 2e9));
+  }
+  return place;
+}
+
+void AgentLayer::thin(SceneGraph& graph, double now_s) {
+  const auto& agents = graph.nodes(NodeType::kAgent);
+  while (true) {
+    const auto next = agents.lower_bound(first_recent_);
+    if (next == agents.end() || next->second.created_s > now_s - config_.recent_s) break;
+    const NodeId agent = next->first;
+    const auto [kept, is_first] = of_place_.try_emplace(placeOf(next->second), agent);
+    const NodeId replaced = kept->second;
+    kept->second = agent;
+    first_recent_ = agent + 1;
+    if (!is_first) removeFromTrajectory(graph, replaced);
+  }
+  while (agents.size() > static_cast<std::size_t>(config_.max_agents)) {
+    const Node& oldest = agents.begin()->second;
+    const auto kept = of_place_.find(placeOf(oldest));
+    if (kept != of_place_.end() && kept->second == oldest.id) of_place_.erase(kept);
+    removeFromTrajectory(graph, oldest.id);
+  }
 }
 
 void AgentLayer::restore(const SceneGraph& graph, double stamp_s) {

@@ -21,7 +21,7 @@ Bounds2 grown(const Bounds2& bounds, double margin_m) {
 }
 
 bool isEntity(NodeId id) {
-  return id >= firstId(NodeType::kAgent) && id < firstId(NodeType::kRoom);
+  return (id >= firstId(NodeType::kAgent) && id < firstId(NodeType::kRoom)) || id >= kFurtherAgents;
 }
 
 /// What decides between regions, in this order, smallest first: the innermost; the one before;

@@ -8,7 +8,7 @@ namespace occusg {
 namespace {
 
 std::size_t numberOf(NodeId id, NodeType type) {
-  return static_cast<std::size_t>(id - firstId(type));
+  return static_cast<std::size_t>(numberOfId(type, id));
 }
 
 Bounds2 placeOf(const Node& node) { return {node.groundPosition(), node.groundPosition()}; }
@@ -36,8 +36,9 @@ const Node& NodeTable::append(Node node) {
 }
 
 bool NodeTable::replace(Node node) {
+  if (typeOfId(node.id) != node.type()) return false;
   const std::size_t number = numberOf(node.id, node.type());
-  if (node.id < firstId(node.type()) || number >= by_number_.size()) return false;
+  if (number >= by_number_.size()) return false;
   Node* const stored = by_number_[number];
   if (stored == nullptr) return false;
   if (stored->groundPosition() != node.groundPosition()) {
@@ -60,7 +61,7 @@ bool NodeTable::erase(NodeId id) {
 const Node* NodeTable::find(NodeId id) const {
   if (nodes_.empty()) return nullptr;
   const NodeType type = nodes_.begin()->second.type();
-  if (id < firstId(type)) return nullptr;
+  if (typeOfId(id) != type) return nullptr;
   const std::size_t number = numberOf(id, type);
   return number < by_number_.size() ? by_number_[number] : nullptr;
 }

@@ -11,6 +11,7 @@
 
 #include "occusg/graph/class_key.hpp"
 #include "occusg/graph/ghost_check.hpp"
+#include "occusg/graph/limits.hpp"
 
 namespace occusg {
 namespace {
@@ -37,9 +38,9 @@ const ObjectAttributes& objectIn(const Node& node) {
 
 bool isUsable(const Detection& detection) {
   const Eigen::AlignedBox3d& box = detection.box;
-  return detection.centroid.allFinite() && box.min().allFinite() && box.max().allFinite() &&
-         !box.isEmpty() && box.sizes().maxCoeff() <= kLargestObject_m && detection.score >= 0.0 &&
-         detection.score <= 1.0;
+  return isWithinGraph(detection.centroid) && isWithinGraph(box.min()) &&
+         isWithinGraph(box.max()) && !box.isEmpty() && box.sizes().maxCoeff() <= kLargestObject_m &&
+         detection.score >= 0.0 && detection.score <= 1.0;
 }
 
 /// The usable detections, the best if there are too many, in their order.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "occusg/error.hpp"
+#include "occusg/graph/limits.hpp"
 
 namespace occusg {
 namespace {
@@ -21,20 +22,19 @@ constexpr EdgeType kEdgeTypes[kEdgeTypeCount] = {
     EdgeType::kTemporal, EdgeType::kContains, EdgeType::kTraversable, EdgeType::kNearestFreeSpace,
     EdgeType::kRoomAdjacency};
 
-NodeId endOfIds(NodeType type) {
-  return type == NodeType::kDoor ? kIdEnd : firstId(static_cast<NodeType>(indexOf(type) + 1));
+/// One past the last id before those of the next type begin.
+NodeId endOfFirstIds(NodeType type) {
+  return type == NodeType::kDoor ? kFurtherAgents
+                                 : firstId(static_cast<NodeType>(indexOf(type) + 1));
 }
 
-std::optional<NodeType> typeOfId(NodeId id) {
-  if (id < 0 || id >= kIdEnd) return std::nullopt;
-  std::size_t type = 0;
-  while (id >= endOfIds(static_cast<NodeType>(type))) ++type;
-  return static_cast<NodeType>(type);
-}
+NodeId endOfIds(NodeType type) { return type == NodeType::kAgent ? kIdEnd : endOfFirstIds(type); }
 
 void checkFinite(const Eigen::Vector3d& position, double created_s, double last_seen_s) {
-  if (!position.allFinite())
-    throw refuse(kWhere, "a node's position is not finite", "positions are in metres, map frame");
+  if (!isWithinGraph(position)) {
+    throw refuse(kWhere, "a node's position is not finite or beyond 1e6 m",
+                 "positions are in metres, map frame");
+  }
   if (!std::isfinite(created_s) || !std::isfinite(last_seen_s))
     throw refuse(kWhere, "a node's stamp is not finite", "stamps are in seconds");
 }
@@ -79,6 +79,25 @@ void appendPartners(const Container& container, NodeId first, std::vector<NodeId
 
 }  // namespace
 
+std::optional<NodeType> typeOfId(NodeId id) {
+  if (id < 0 || id >= kIdEnd) return std::nullopt;
+  if (id >= kFurtherAgents) return NodeType::kAgent;
+  std::size_t type = 0;
+  while (id >= endOfFirstIds(static_cast<NodeType>(type))) ++type;
+  return static_cast<NodeType>(type);
+}
+
+NodeId numberOfId(NodeType type, NodeId id) {
+  const bool is_further = type == NodeType::kAgent && id >= kFurtherAgents;
+  return is_further ? id - kFurtherAgents + endOfFirstIds(type) : id - firstId(type);
+}
+
+NodeId idOfNumber(NodeType type, NodeId number) {
+  const NodeId id = firstId(type) + number;
+  const bool is_further = type == NodeType::kAgent && id >= endOfFirstIds(type);
+  return is_further ? id - endOfFirstIds(type) + kFurtherAgents : id;
+}
+
 const char* nameOf(NodeType type) {
   constexpr const char* kNames[kNodeTypeCount] = {"AGENT", "OBJECT", "NAVIGATION", "ROOM", "DOOR"};
   return kNames[indexOf(type)];
@@ -113,24 +132,25 @@ const Node& SceneGraph::add(const Eigen::Vector3d& position, double stamp_s,
 const Node& SceneGraph::restore(Node node) {
   checkFinite(node.position, node.created_s, node.last_seen_s);
   const NodeType type = node.type();
-  if (node.id < nextId(type) || node.id >= endOfIds(type)) {
+  if (typeOfId(node.id) != type || node.id < nextId(type)) {
     throw refuse(
         kWhere,
         "there is no place for " + std::string(nameOf(type)) + " node " + std::to_string(node.id),
         "ids from " + std::to_string(nextId(type)) + " to " + std::to_string(endOfIds(type) - 1) +
             " are free");
   }
-  added_[indexOf(type)] = node.id + 1 - firstId(type);
+  added_[indexOf(type)] = numberOfId(type, node.id) + 1;
   log_.record(ChangeKind::kAdded, node.id);
   return nodes_[indexOf(type)].append(std::move(node));
 }
 
 void SceneGraph::skipIdsBefore(NodeType type, NodeId id) {
-  if (id < firstId(type) || id > endOfIds(type)) {
+  const bool is_end = id == endOfFirstIds(type);
+  if (!is_end && typeOfId(id) != type) {
     throw refuse(kWhere, std::to_string(id) + " is no id of type " + nameOf(type),
                  "ids from " + std::to_string(firstId(type)) + " on are");
   }
-  added_[indexOf(type)] = std::max(added_[indexOf(type)], id - firstId(type));
+  added_[indexOf(type)] = std::max(added_[indexOf(type)], numberOfId(type, id));
 }
 
 void SceneGraph::update(Node node) {
@@ -180,7 +200,7 @@ bool SceneGraph::disconnect(EdgeType type, NodeId source, NodeId target) {
   return true;
 }
 
-NodeId SceneGraph::nextId(NodeType type) const { return firstId(type) + added_[indexOf(type)]; }
+NodeId SceneGraph::nextId(NodeType type) const { return idOfNumber(type, added_[indexOf(type)]); }
 
 const Node* SceneGraph::find(NodeId id) const {
   const std::optional<NodeType> type = typeOfId(id);

@@ -44,19 +44,13 @@ std::optional<Layer> layerOf(NodeType type) {
   return std::nullopt;
 }
 
-NodeType typeOf(NodeId id) {
-  for (std::size_t i = kNodeTypeCount; i-- > 1;)
-    if (id >= firstId(static_cast<NodeType>(i))) return static_cast<NodeType>(i);
-  return NodeType::kAgent;
-}
-
 /// Character in the top byte, number below.
 std::uint64_t symbolOf(NodeId id) {
-  const NodeType type = typeOf(id);
+  const NodeType type = typeOfId(id).value_or(NodeType::kAgent);
   const auto layer = layerOf(type);
   const auto prefix = static_cast<unsigned char>(layer ? layer->symbol : ' ');
   return (static_cast<std::uint64_t>(prefix) << 56U) |
-         static_cast<std::uint64_t>(id - firstId(type));
+         static_cast<std::uint64_t>(numberOfId(type, id));
 }
 
 std::uint64_t nanoseconds(double stamp_s) {

@@ -88,6 +88,10 @@ CellBox widened(const CellBox& box) {
           {-roundedDown(-box.max.x), -roundedDown(-box.max.y)}};
 }
 
+std::size_t cellsIn(const CellBox& box) {
+  return static_cast<std::size_t>(box.width()) * static_cast<std::size_t>(box.height());
+}
+
 CellBox boundsOf(const std::vector<Cell>& columns) {
   CellBox box;
   for (const Cell& column : columns) box = box.including(column);
@@ -148,11 +152,13 @@ void FreeSpaceLayer::checkResolution(const OccupancyMap& map) const {
                "the layer was made for " + std::to_string(layer_.frame.resolution_m) + " m");
 }
 
+bool FreeSpaceLayer::canCover(const CellBox& box) const {
+  return cellsIn(layer_.cells.box().including(widened(box))) <= kMaxLayerCells;
+}
+
 void FreeSpaceLayer::cover(const CellBox& known_columns) {
   const CellBox box = layer_.cells.box().including(widened(known_columns));
-  const std::size_t cells =
-      static_cast<std::size_t>(box.width()) * static_cast<std::size_t>(box.height());
-  if (cells > kMaxLayerCells) {
+  if (cellsIn(box) > kMaxLayerCells) {
     throw refuse("free-space layer",
                  "the map spans " + std::to_string(box.width()) + " x " +
                      std::to_string(box.height()) + " cells",

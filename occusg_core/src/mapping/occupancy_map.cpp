@@ -98,6 +98,7 @@ OccupancyMap::OccupancyMap(const OccupancyMapConfig& config,
                            std::unique_ptr<octomap::OcTree> content)
     : OccupancyMap(config) {
   checkAgreement(config_.resolution_m, content->getResolution());
+  cut_islands_ = removeFarIslands(*content);
   clampLeaves(*content, tree_->getClampingThresMinLog(), tree_->getClampingThresMaxLog());
   content->updateInnerOccupancy();
   content->prune();

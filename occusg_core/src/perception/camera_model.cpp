@@ -15,10 +15,14 @@ void checkSide(const std::string& where, const char* field, int side) {
                "it must be in [1, " + std::to_string(kMaxImageSide) + "]");
 }
 
-void checkFocalLength(const std::string& where, const char* field, double focal_length) {
-  if (std::isfinite(focal_length) && focal_length > 0.0) return;
+void checkFocalLength(const std::string& where, const char* field, double focal_length, int side) {
+  const double least = kMinFocalShare * side;
+  const double most = kMaxFocalShare * side;
+  if (focal_length >= least && focal_length <= most) return;
   throw refuse(where, std::string(field) + " is " + std::to_string(focal_length) + " pixels",
-               "a focal length must be finite and positive");
+               "a focal length must be finite and positive, for an image of " +
+                   std::to_string(side) + " pixels in [" + std::to_string(least) + ", " +
+                   std::to_string(most) + "]");
 }
 
 void checkPrincipalPoint(const std::string& where, const char* field, double center, int side) {
@@ -32,8 +36,8 @@ void checkPrincipalPoint(const std::string& where, const char* field, double cen
 void check(const CameraModel& camera, const std::string& where) {
   checkSide(where, "width", camera.width);
   checkSide(where, "height", camera.height);
-  checkFocalLength(where, "fx", camera.fx);
-  checkFocalLength(where, "fy", camera.fy);
+  checkFocalLength(where, "fx", camera.fx, camera.width);
+  checkFocalLength(where, "fy", camera.fy, camera.height);
   checkPrincipalPoint(where, "cx", camera.cx, camera.width);
   checkPrincipalPoint(where, "cy", camera.cy, camera.height);
 }

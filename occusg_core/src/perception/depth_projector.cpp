@@ -37,6 +37,11 @@ void check(const DepthProjectorConfig& config) {
     throw refuse("max_depth_m", "is " + std::to_string(config.max_depth_m) + " m",
                  "it must be finite and above min_depth_m = " + std::to_string(config.min_depth_m));
   }
+  if (!(config.max_plausible_depth_m > 0.0)) {
+    throw refuse("max_plausible_depth_m",
+                 "is " + std::to_string(config.max_plausible_depth_m) + " m",
+                 "it must be positive");
+  }
 }
 
 void check(const DepthImage& image, const CameraModel& camera) {
@@ -147,6 +152,10 @@ class Lattice {
       return RayEnd::kNone;
     }
     if (depth_m <= config_.max_depth_m) return RayEnd::kHit;
+    if (depth_m > config_.max_plausible_depth_m) {
+      ++drops.implausible;
+      return RayEnd::kNone;
+    }
     if (config_.beyond_max_depth == BeyondMaxDepth::kClear) return RayEnd::kMiss;
     ++drops.too_far;
     return RayEnd::kNone;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "occusg/error.hpp"
+#include "occusg/graph/limits.hpp"
 
 namespace occusg {
 namespace {
@@ -13,7 +14,7 @@ constexpr double kLongest_m = 1000.0;
 
 using Parameters = std::vector<Parameter>;
 
-void addPerception(Parameters& list, DepthProjectorConfig& depth) {
+void addPerception(Parameters& list, DepthProjectorConfig& depth, PoseGateConfig& poses) {
   list.push_back(countParameter(
       depth.stride, {1, 64},
       {"perception.depth.stride", "pixels", "Every n-th pixel in both directions is used.", "2"}));
@@ -28,6 +29,14 @@ void addPerception(Parameters& list, DepthProjectorConfig& depth) {
       {"perception.depth.beyond_max_depth", "",
        "What a pixel beyond the maximum depth means: nothing, or free space up to there.",
        "drop"}));
+  list.push_back(numberParameter(
+      depth.max_plausible_depth_m, {0.1, 1e5},
+      {"perception.depth.max_plausible_depth_m", "m",
+       "A pixel beyond this and beyond the maximum depth is no measurement and means nothing."}));
+  list.push_back(numberParameter(
+      poses.max_speed_m_s, {0.1, 1e4},
+      {"perception.poses.max_speed_m_s", "m/s",
+       "A frame whose pose could only be reached faster, give or take a metre, is left out."}));
 }
 
 void addDetection(Parameters& list, DetectionBuilderConfig& detection) {
@@ -259,6 +268,15 @@ void addGraph(Parameters& list, GraphBuilderConfig& graph) {
   list.push_back(numberParameter(
       graph.agents.max_interval_s, {0.0, 86400.0},
       {"graph.agents.max_interval_s", "s", "So does a pose so long after it.", "10"}));
+  list.push_back(numberParameter(
+      graph.agents.recent_s, {1.0, 1e9},
+      {"graph.agents.recent_s", "s", "Of agents older than this only the last at a place stays."}));
+  list.push_back(numberParameter(
+      graph.agents.old_spacing_m, {0.01, kLongest_m},
+      {"graph.agents.old_spacing_m", "m", "Side of the cubes that are one place for them."}));
+  list.push_back(
+      countParameter(graph.agents.max_agents, {2, static_cast<int>(kMaxGraphNodes / 2)},
+                     {"graph.agents.max_agents", "agents", "Of more agents the oldest go."}));
 
   RoomLayerConfig& rooms = graph.rooms;
   list.push_back(numberParameter(rooms.boundary_tolerance_m, {0.0, 10.0},
@@ -354,7 +372,7 @@ void addObjects(Parameters& list, ObjectLayerConfig& objects) {
 
 std::vector<Parameter> parametersOf(PipelineConfig& config) {
   Parameters list;
-  addPerception(list, config.depth);
+  addPerception(list, config.depth, config.poses);
   addDetection(list, config.detection);
   addSegmenter(list, config.segmenter);
   addMapping(list, config.occupancy, config.free_space);

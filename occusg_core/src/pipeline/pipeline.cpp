@@ -73,6 +73,7 @@ void Pipeline::checkStamp(const DepthFrame& frame) const {
 void Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& objects) {
   timed(totals_, Stage::kTotal, [&] {
     changed_since_rooms_ = changed_since_rooms_.including(map_.process(frame).changed);
+    if (!map_.lastPoseIsUsable()) return false;
     last_stamp_s_ = frame.stamp_s;
     last_pose_ = frame.T_map_camera;
     rooms_.observeObjects(objects.detections, frame.stamp_s);

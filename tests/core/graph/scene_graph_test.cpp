@@ -181,14 +181,30 @@ TEST(SceneGraph, ARefusalNamesTheEdgeAndItsEnds) {
 
 TEST(SceneGraph, ATypeWithoutIdsLeftIsRefused) {
   SceneGraph graph;
-  const NodeId last = firstId(NodeType::kObject) - 1;
-  NodeId id = 0;
-  do {
-    id = addAt(graph, AgentAttributes{});
-    graph.remove(id);
-  } while (id < last);
-  EXPECT_THROW(addAt(graph, AgentAttributes{}), Error);
-  EXPECT_EQ(addAt(graph, ObjectAttributes{}), firstId(NodeType::kObject));
+  graph.skipIdsBefore(NodeType::kObject, firstId(NodeType::kNavigation) - 1);
+  EXPECT_EQ(addAt(graph, ObjectAttributes{}), firstId(NodeType::kNavigation) - 1);
+  EXPECT_THROW(addAt(graph, ObjectAttributes{}), Error);
+  EXPECT_EQ(addAt(graph, NavigationAttributes{}), firstId(NodeType::kNavigation));
+}
+
+TEST(SceneGraph, AgentsGoOnBehindTheIdsOfTheOtherTypes) {
+  SceneGraph graph;
+  graph.skipIdsBefore(NodeType::kAgent, firstId(NodeType::kObject) - 1);
+  const NodeId last = addAt(graph, AgentAttributes{});
+  EXPECT_EQ(last, firstId(NodeType::kObject) - 1);
+  const NodeId further = addAt(graph, AgentAttributes{});
+  EXPECT_EQ(further, kFurtherAgents);
+  EXPECT_EQ(typeOfId(further), NodeType::kAgent);
+  EXPECT_EQ(graph.nextId(NodeType::kAgent), kFurtherAgents + 1);
+  graph.connect({EdgeType::kTemporal, last, further, {}});
+  SceneGraph restored;
+  restored.restore(graph.at(last));
+  restored.restore(graph.at(further));
+  restored.skipIdsBefore(NodeType::kAgent, graph.nextId(NodeType::kAgent));
+  EXPECT_EQ(restored.nextId(NodeType::kAgent), kFurtherAgents + 1);
+  EXPECT_NE(restored.find(further), nullptr);
+  EXPECT_TRUE(graph.remove(further));
+  EXPECT_EQ(graph.find(further), nullptr);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ std::string refusal(const CameraModel& camera) {
 
 TEST(CameraModel, AcceptsAnOrdinaryCameraAndTheLimits) {
   EXPECT_EQ(refusal(kCamera), "");
-  EXPECT_EQ(refusal({1, 1, 1e-3, 1e9, 0.0, 1.0}), "");
-  EXPECT_EQ(refusal({kMaxImageSide, kMaxImageSide, 1.0, 1.0, 0.0, kMaxImageSide}), "");
+  EXPECT_EQ(refusal({1, 1, kMinFocalShare, kMaxFocalShare, 0.0, 1.0}), "");
+  EXPECT_EQ(refusal({kMaxImageSide, kMaxImageSide, 8000.0, 8000.0, 0.0, kMaxImageSide}), "");
 }
 
 TEST(CameraModel, RefusalNamesPlaceFieldValueAndRange) {
@@ -50,6 +50,10 @@ TEST(CameraModel, RefusesEveryFieldOutOfRange) {
       {{320, std::numeric_limits<int>::max(), 100, 100, 1, 1}, "height"},
       {{320, 240, 0.0, 100, 1, 1}, "fx"},
       {{320, 240, nan, 100, 1, 1}, "fx"},
+      {{320, 240, 1e-9, 100, 1, 1}, "fx"},
+      {{320, 240, 7.9, 100, 1, 1}, "fx"},
+      {{320, 240, 32001.0, 100, 1, 1}, "fx"},
+      {{320, 240, 100, 5.9, 1, 1}, "fy"},
       {{320, 240, 100, -100, 1, 1}, "fy"},
       {{320, 240, 100, inf, 1, 1}, "fy"},
       {{320, 240, 100, 100, nan, 1}, "cx"},

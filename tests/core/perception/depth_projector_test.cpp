@@ -152,6 +152,24 @@ TEST(DepthProjector, PixelBeyondTheMaximumDepthClearsItsRay) {
   EXPECT_EQ(cloud.drops.too_far, 0U);
 }
 
+TEST(DepthProjector, DepthThatNoSensorMeasuresNeverClearsAndIsCounted) {
+  cv::Mat_<float> pixels = flat(1e30F);
+  pixels(0, 0) = 99.0F;  // far, but a sensor can see so far
+  pixels(0, 1) = 101.0F;
+  DepthProjector projector(everyPixel(BeyondMaxDepth::kClear));
+  const PointCloud cloud = projector.project(metres(pixels), kCamera, Pose::Identity());
+  EXPECT_EQ(cloud.misses.size(), 1U);
+  EXPECT_EQ(cloud.drops.implausible, 11U);
+  EXPECT_EQ(cloud.drops.total(), 11U);
+}
+
+TEST(DepthProjector, MaximumDepthBeyondWhatIsPlausibleIsBelieved) {
+  DepthProjectorConfig config = everyPixel(BeyondMaxDepth::kClear);
+  config.max_depth_m = 300.0;
+  DepthProjector projector(config);
+  EXPECT_EQ(projector.project(metres(flat(250.0F)), kCamera, Pose::Identity()).points.size(), 12U);
+}
+
 TEST(DepthProjector, InfinityNeverClears) {
   DepthProjector projector(everyPixel(BeyondMaxDepth::kClear));
   const PointCloud cloud = projector.project(metres(flat(kInf)), kCamera, Pose::Identity());

@@ -257,12 +257,10 @@ TEST(DetectionBuilder, SixteenBitDepthIsInItsUnitAndTheLargestValueIsNone) {
   EXPECT_NEAR(result.detections[0].centroid.x(), 3.0, 1e-6);
 }
 
-TEST(DetectionBuilder, CameraOfAbsurdFocalLengthGivesNoPoints) {
+TEST(DetectionBuilder, CameraOfAbsurdFocalLengthIsRefused) {
   DepthFrame frame = wallAt(2.0F);
   frame.camera.fx = 1e-300;
-  EXPECT_EQ(
-      build(masksOf({chair({21, 5, 10, 10})}), frame).refused.count(MaskRefusal::kTooFewPoints),
-      1U);
+  EXPECT_THROW((void)build(masksOf({chair({21, 5, 10, 10})}), frame), Error);
 }
 
 TEST(DetectionBuilder, ScoreThatIsNoConfidenceIsRefused) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -26,8 +27,18 @@ inline constexpr std::size_t kNodeTypeCount = 5;
   constexpr NodeId kFirst[kNodeTypeCount] = {0, 1'000'000, 2'000'000, 4'000'000, 5'000'000};
   return kFirst[static_cast<std::size_t>(type)];
 }
+/// Agents, which a robot makes as long as it runs, go on here when the ids before the first
+/// object's are used up.
+inline constexpr NodeId kFurtherAgents = 6'000'000;
 /// One past the last id of any type.
-inline constexpr NodeId kIdEnd = 6'000'000;
+inline constexpr NodeId kIdEnd = 2'000'000'000;
+
+/// The type whose nodes have the id; empty when none has.
+[[nodiscard]] std::optional<NodeType> typeOfId(NodeId id);
+/// How many ids of the type come before `id`, which is one of the type or follows its last.
+[[nodiscard]] NodeId numberOfId(NodeType type, NodeId id);
+/// The id of that number.
+[[nodiscard]] NodeId idOfNumber(NodeType type, NodeId number);
 
 /// The n of "room_<n>": the n-th room there ever was, counting from 1, because label images keep 0
 /// for "no room".

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "occusg/graph/limits.hpp"
 #include "occusg/graph/scene_graph.hpp"
 #include "occusg/io/rooms_file.hpp"
 
@@ -35,10 +36,6 @@ struct SceneGraphFile {
   std::string frame;
   SceneGraph graph;
 };
-
-/// Limits of what is read.
-inline constexpr std::size_t kMaxGraphNodes = 500'000;
-inline constexpr std::size_t kMaxGraphEdges = 1'000'000;
 
 /// Reads the text of a `scene_graph.json`. Nodes keep their ids; keys not named above are ignored,
 /// those that came after the first files of this version may be absent.

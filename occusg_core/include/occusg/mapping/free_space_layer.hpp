@@ -64,6 +64,9 @@ class FreeSpaceLayer {
   /// Recomputes everything from the tree: for a map that was loaded, and as the test oracle.
   const FreeSpace& recompute(const OccupancyMap& map);
 
+  /// Whether the layer stays within kMaxLayerCells when columns of `box` become known.
+  [[nodiscard]] bool canCover(const CellBox& box) const;
+
   /// In `changed`, cells the layer did not cover before count as having been unknown.
   [[nodiscard]] const FreeSpace& freeSpace() const { return layer_; }
   void reset();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "occusg/geometry/cell.hpp"
+#include "occusg/mapping/far_islands.hpp"
 #include "occusg/perception/point_cloud.hpp"
 #include "occusg/perception/range_image.hpp"
 
@@ -79,7 +80,8 @@ class OccupancyMap {
   /// [1, kMaxRangeVoxels] voxels.
   explicit OccupancyMap(const OccupancyMapConfig& config);
   /// A map that goes on from `content`: its nodes are taken, and its inner values made the largest
-  /// of the children, what can be pruned is, values are held within the clamps.
+  /// of the children, what can be pruned is, values are held within the clamps, and parts too far
+  /// away for a free-space layer are cut off.
   /// @throws Error when the configuration is wrong or its resolution is not that of `content`.
   OccupancyMap(const OccupancyMapConfig& config, std::unique_ptr<octomap::OcTree> content);
   OccupancyMap(OccupancyMap&&) noexcept;
@@ -101,6 +103,8 @@ class OccupancyMap {
   /// What the map and its columns hold, the tree estimated from the number of its nodes [bytes].
   [[nodiscard]] std::size_t memoryBytes() const;
   [[nodiscard]] const OccupancyMapConfig& config() const { return config_; }
+  /// What was cut off the content the map goes on from.
+  [[nodiscard]] const FarIslands& cutIslands() const { return cut_islands_; }
   /// Forgets everything.
   void reset();
 
@@ -111,6 +115,7 @@ class OccupancyMap {
   [[nodiscard]] bool markRay(const octomap::point3d& origin, const Point3f& end, RayEnd meaning);
 
   OccupancyMapConfig config_;
+  FarIslands cut_islands_;
   std::unique_ptr<VoxelTree> tree_;
   std::unique_ptr<FrameVoxels> frame_;  ///< Reused between frames, as what follows.
   std::unique_ptr<FrameRays> rays_;

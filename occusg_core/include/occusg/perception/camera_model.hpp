@@ -19,9 +19,14 @@ struct CameraModel {
 /// Largest image side accepted [pixels].
 inline constexpr int kMaxImageSide = 16384;
 
+/// Focal lengths a camera can have, as shares of its image's side: from a field of view of 174
+/// degrees to one of half a degree.
+inline constexpr double kMinFocalShare = 0.025;
+inline constexpr double kMaxFocalShare = 100.0;
+
 /// @throws Error naming `where`, the field, its value and the range, for the first broken rule:
-/// sides in [1, kMaxImageSide], finite positive focal lengths, principal point in
-/// [0, width] x [0, height].
+/// sides in [1, kMaxImageSide], focal lengths within the shares above of their side, principal
+/// point in [0, width] x [0, height].
 void check(const CameraModel& camera, const std::string& where);
 
 }  // namespace occusg

@@ -22,6 +22,8 @@ struct DepthProjectorConfig {
   double min_depth_m = 0.01;  ///< Nearer pixels are dropped, along the optical axis [m].
   double max_depth_m = 10.0;  ///< Farther pixels carry no surface, along the optical axis [m].
   BeyondMaxDepth beyond_max_depth = BeyondMaxDepth::kClear;
+  /// Values beyond it, and beyond `max_depth_m`, no sensor measures: they mean nothing [m].
+  double max_plausible_depth_m = 100.0;
 };
 
 /// A depth image as it comes from a file or a message.

@@ -16,15 +16,16 @@ struct Point3f {
 
 /// Why pixels of a depth image gave no point.
 struct PixelDrops {
-  std::size_t zero = 0;      ///< No return: zero.
-  std::size_t nan = 0;       ///< NaN.
-  std::size_t infinite = 0;  ///< +Inf or -Inf (REP 117: out of range).
-  std::size_t negative = 0;  ///< Below zero.
-  std::size_t too_near = 0;  ///< Nearer than the minimum depth.
-  std::size_t too_far = 0;   ///< Beyond the maximum depth, dropped by configuration.
+  std::size_t zero = 0;         ///< No return: zero.
+  std::size_t nan = 0;          ///< NaN.
+  std::size_t infinite = 0;     ///< +Inf or -Inf (REP 117: out of range).
+  std::size_t negative = 0;     ///< Below zero.
+  std::size_t too_near = 0;     ///< Nearer than the minimum depth.
+  std::size_t too_far = 0;      ///< Beyond the maximum depth, dropped by configuration.
+  std::size_t implausible = 0;  ///< Beyond what a sensor can measure.
 
   [[nodiscard]] std::size_t total() const {
-    return zero + nan + infinite + negative + too_near + too_far;
+    return zero + nan + infinite + negative + too_near + too_far + implausible;
   }
 };
 

@@ -11,6 +11,7 @@
 #include "occusg/perception/depth_projector.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/perception/onnx_segmenter.hpp"
+#include "occusg/perception/pose_gate.hpp"
 #include "occusg/pipeline/parameter.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
 #include "occusg/regions/decomposer.hpp"
@@ -28,6 +29,7 @@ enum class DecomposerKind {
 /// All parameters of the pipeline, one struct a stage. Defaults are the project's own choice.
 struct PipelineConfig {
   DepthProjectorConfig depth;
+  PoseGateConfig poses;
   DetectionBuilderConfig detection;
   OnnxSegmenterConfig segmenter;  ///< Of a model, when there is one; its files are no parameters.
   OccupancyMapConfig occupancy;

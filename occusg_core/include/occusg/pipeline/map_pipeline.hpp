@@ -22,6 +22,13 @@ struct MapCounts {
   std::size_t frames_without_depth = 0;   ///< Not one pixel had a depth.
   std::size_t frames_from_occupied = 0;   ///< The camera was in an occupied voxel.
   std::size_t frames_without_memory = 0;  ///< The map had reached its limit.
+  std::size_t frames_too_fast = 0;        ///< Their pose jumped, `PoseGate`.
+  std::size_t frames_beyond_span = 0;     ///< The free-space layer cannot span so much.
+
+  /// Frames whose pose cannot be; they left nothing behind.
+  [[nodiscard]] std::size_t framesMisplaced() const {
+    return frames_outside_map + frames_too_fast + frames_beyond_span;
+  }
 };
 
 /// Depth frames -> occupancy map and free space: the half of the pipeline that needs a camera.
@@ -34,23 +41,31 @@ class MapPipeline {
   /// @throws Error when the map is larger than the layer can be; the state is then as before.
   const FreeSpace& startFrom(OccupancyMap map);
 
-  /// Takes one frame into the map. In the layer, `changed` is what this frame changed.
+  /// Takes one frame into the map. In the layer, `changed` is what this frame changed: nothing when
+  /// its pose jumped, lies outside the map or would make it span more than the layer can.
   /// @throws Error when the frame cannot be used; the state is then as before the call.
   const FreeSpace& process(const DepthFrame& frame);
 
   [[nodiscard]] const OccupancyMap& occupancyMap() const { return occupancy_; }
   [[nodiscard]] const FreeSpace& freeSpace() const { return free_space_.freeSpace(); }
   [[nodiscard]] const MapCounts& counts() const { return counts_; }
+  /// Whether the last frame's pose can be; what follows from one that cannot is no knowledge.
+  [[nodiscard]] bool lastPoseIsUsable() const { return last_pose_is_usable_; }
   /// Durations so far, and the memory each stage's result holds now; walks the results.
   [[nodiscard]] StageTimes times() const;
   /// Durations so far.
   [[nodiscard]] const StageTimes& durations() const { return times_; }
 
  private:
+  [[nodiscard]] bool staysInSpan(const Point3f& origin) const;
+  [[nodiscard]] MapChange insert(const RangeImage& image, double stamp_s);
+
   DepthProjector projector_;
+  PoseGate gate_;
   OccupancyMap occupancy_;
   FreeSpaceLayer free_space_;
   MapCounts counts_;
+  bool last_pose_is_usable_ = true;
   StageTimes times_;
 };
 

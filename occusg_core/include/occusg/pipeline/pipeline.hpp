@@ -42,7 +42,8 @@ class Pipeline {
   [[nodiscard]] SessionState sessionState(const std::string& scene) const;
 
   /// Takes one frame through the stages: cloud, occupancy and free space always; regions and graph
-  /// when `region_period_s` has passed.
+  /// when `region_period_s` has passed. A frame whose pose jumped or lies outside the map is
+  /// counted and leaves nothing.
   /// @throws Error when the frame cannot be used or is not younger than the one before; the state
   /// is then as before the call.
   void process(const DepthFrame& frame);
