@@ -267,11 +267,15 @@ void trying(std::vector<std::string>& problems, const Step& step) {
   }
 }
 
-std::vector<ResultFile> filesOf(const Pipeline& pipeline, const std::string& scene,
-                                const StageTimes& times, Schemas schemas) {
-  std::vector<ResultFile> files = resultFiles(pipeline, scene, times);
-  if (schemas == Schemas::kOursAndPublished)
-    files.push_back({"scene_graph.occusg-1.0.json", toOccusg10(pipeline.graph(), scene)});
+std::vector<ResultWriter> filesOf(const Pipeline& pipeline, const std::string& scene,
+                                  const StageTimes& times, Schemas schemas) {
+  std::vector<ResultWriter> files = resultWriters(pipeline, scene, times);
+  if (schemas == Schemas::kOursAndPublished) {
+    const auto published = [&pipeline, scene](std::ostream& out) {
+      out << toOccusg10(pipeline.graph(), scene);
+    };
+    files.insert(files.begin(), {"scene_graph.occusg-1.0.json", published});
+  }
   return files;
 }
 

@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+#include <string>
 #include <variant>
 
 #include "io/graph_json.hpp"
@@ -121,20 +124,24 @@ std::string elementOf(const Edge& edge) {
 
 }  // namespace
 
-std::string toGraphMl(const SceneGraph& graph, const std::string& scene) {
-  std::string text =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n";
-  text += kKeys;
-  text += " <graph edgedefault=\"directed\">\n  " + data("scene", escaped(scene)) + "\n";
+void writeGraphMl(const SceneGraph& graph, const std::string& scene, std::ostream& out) {
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n"
+      << kKeys << " <graph edgedefault=\"directed\">\n  " << data("scene", escaped(scene)) << "\n";
   for (std::size_t type = 0; type < kNodeTypeCount; ++type) {
-    for (const auto& [id, node] : graph.nodes(static_cast<NodeType>(type))) text += elementOf(node);
+    for (const auto& [id, node] : graph.nodes(static_cast<NodeType>(type))) out << elementOf(node);
   }
   for (std::size_t type = 0; type < kEdgeTypeCount; ++type) {
     for (const auto& [ends, edge] : graph.edges(static_cast<EdgeType>(type)))
-      text += elementOf(edge);
+      out << elementOf(edge);
   }
-  return text + " </graph>\n</graphml>\n";
+  out << " </graph>\n</graphml>\n";
+}
+
+std::string toGraphMl(const SceneGraph& graph, const std::string& scene) {
+  std::ostringstream text;
+  writeGraphMl(graph, scene, text);
+  return text.str();
 }
 
 }  // namespace occusg

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <ostream>
+#include <sstream>
+#include <utility>
 
 #include "occusg/error.hpp"
 
@@ -14,7 +17,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMaxDepth = 32;
-constexpr std::size_t kMaxValues = 2'000'000;
 constexpr std::size_t kMaxQuotedText = 60;
 
 /// A value as it stands in the file, shortened for a sentence.
@@ -24,6 +26,18 @@ std::string quoted(const json& value) {
   std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
   if (text.size() > kMaxQuotedText) text = text.substr(0, kMaxQuotedText) + "...";
   return text;
+}
+
+[[noreturn]] void failOnCount(const std::string& where, std::size_t max_values) {
+  throw refuse(where, "holds more than " + std::to_string(max_values) + " values",
+               "a smaller file is needed");
+}
+
+std::size_t valuesIn(const json& value) {
+  std::size_t count = 1;
+  if (value.is_structured())
+    for (const json& part : value) count += valuesIn(part);
+  return count;
 }
 
 std::string lineAt(const std::string& text, std::size_t byte) {
@@ -47,7 +61,7 @@ std::string reasonOf(const json::exception& error) {
 
 }  // namespace
 
-json parseJson(const std::string& text, const std::string& where) {
+json parseJson(const std::string& text, const std::string& where, std::size_t max_values) {
   std::size_t values = 0;
   const auto limit = [&](int depth, json::parse_event_t event, json& /*parsed*/) {
     if (depth > kMaxDepth) {
@@ -58,10 +72,7 @@ json parseJson(const std::string& text, const std::string& where) {
     if (event == Event::value || event == Event::array_start || event == Event::object_start) {
       ++values;
     }
-    if (values > kMaxValues) {
-      throw refuse(where, "holds more than " + std::to_string(kMaxValues) + " values",
-                   "a smaller file is needed");
-    }
+    if (values > max_values) failOnCount(where, max_values);
     return true;
   };
   try {
@@ -139,22 +150,57 @@ std::string toText(double value) {
   return dumped(json(value));
 }
 
-std::string jsonDocument(const std::vector<std::pair<std::string, json>>& members) {
-  std::string text = "{\n";
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const auto& [key, value] = members[i];
-    text += dumped(json(key)) + ": ";
-    if (value.is_array() && !value.empty() && value.front().is_object()) {
-      text += "[\n";
-      for (std::size_t j = 0; j < value.size(); ++j)
-        text += "  " + dumped(value[j]) + (j + 1 < value.size() ? ",\n" : "\n");
-      text += "]";
-    } else {
-      text += dumped(value);
-    }
-    text += i + 1 < members.size() ? ",\n" : "\n";
+JsonStream::JsonStream(std::ostream& out, std::string where, std::size_t max_values)
+    : out_(out), where_(std::move(where)), max_values_(max_values) {
+  out_ << "{\n";
+}
+
+void JsonStream::beginMember(const std::string& key) {
+  if (has_members_) out_ << ",\n";
+  has_members_ = true;
+  out_ << dumped(json(key)) << ": ";
+}
+
+void JsonStream::count(const json& value) {
+  values_ += valuesIn(value);
+  if (values_ > max_values_) failOnCount(where_, max_values_);
+}
+
+void JsonStream::member(const std::string& key, const json& value) {
+  if (value.is_array() && !value.empty() && value.front().is_object()) {
+    beginList(key);
+    for (const json& object : value) element(object);
+    endList();
+    return;
   }
-  return text + "}\n";
+  count(value);
+  beginMember(key);
+  out_ << dumped(value);
+}
+
+void JsonStream::beginList(const std::string& key) {
+  beginMember(key);
+  ++values_;
+  has_elements_ = false;
+  out_ << '[';
+}
+
+void JsonStream::element(const json& object) {
+  count(object);
+  out_ << (has_elements_ ? ",\n  " : "\n  ") << dumped(object);
+  has_elements_ = true;
+}
+
+void JsonStream::endList() { out_ << (has_elements_ ? "\n]" : "]"); }
+
+void JsonStream::end() { out_ << (has_members_ ? "\n}\n" : "}\n"); }
+
+std::string jsonDocument(const std::vector<std::pair<std::string, json>>& members) {
+  std::ostringstream text;
+  JsonStream document(text, "output");
+  for (const auto& [key, value] : members) document.member(key, value);
+  document.end();
+  return text.str();
 }
 
 }  // namespace occusg

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <ostream>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -88,19 +89,27 @@ OccupancyMap readOctomap(const std::string& path, const OccupancyMapConfig& conf
   return OccupancyMap(config, treeOf(std::move(bytes), header, config));
 }
 
-std::string toOctomap(const octomap::OcTree& tree, OctomapEncoding encoding) {
-  const bool is_binary = encoding == OctomapEncoding::kBinary;
-  std::ostringstream file;
-  file << (is_binary ? "# Octomap OcTree binary file\n" : "# Octomap OcTree file\n")
-       << "# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
-       << "id OcTree\nsize " << std::to_string(tree.size()) << "\nres "
-       << toText(tree.getResolution()) << "\ndata\n";
-  if (tree.size() == 0) return file.str();
-  if (is_binary) {
-    tree.writeBinaryData(file);
-  } else {
-    tree.writeData(file);
+void writeOctomap(const octomap::OcTree& tree, OctomapEncoding encoding, std::ostream& out) {
+  if (tree.size() > kMaxOctomapNodes) {
+    throw refuse("map", "has " + std::to_string(tree.size()) + " nodes",
+                 "at most " + std::to_string(kMaxOctomapNodes) + " can be read back");
   }
+  const bool is_binary = encoding == OctomapEncoding::kBinary;
+  out << (is_binary ? "# Octomap OcTree binary file\n" : "# Octomap OcTree file\n")
+      << "# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
+      << "id OcTree\nsize " << std::to_string(tree.size()) << "\nres "
+      << toText(tree.getResolution()) << "\ndata\n";
+  if (tree.size() == 0) return;
+  if (is_binary) {
+    tree.writeBinaryData(out);
+  } else {
+    tree.writeData(out);
+  }
+}
+
+std::string toOctomap(const octomap::OcTree& tree, OctomapEncoding encoding) {
+  std::ostringstream file;
+  writeOctomap(tree, encoding, file);
   return file.str();
 }
 

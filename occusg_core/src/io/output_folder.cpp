@@ -9,7 +9,11 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <ostream>
+#include <streambuf>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "io/part_file.hpp"
 #include "io/text_lines.hpp"
@@ -66,9 +70,9 @@ class TemporaryFile {
   std::string path_;
 };
 
-bool writeAll(int descriptor, const std::string& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+bool writeAll(int descriptor, const char* bytes, std::size_t size) {
+  for (std::size_t done = 0; done < size;) {
+    const ssize_t written = ::write(descriptor, bytes + done, size - done);
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return false;
     done += static_cast<std::size_t>(written);
@@ -76,16 +80,78 @@ bool writeAll(int descriptor, const std::string& bytes) {
   return true;
 }
 
-void writeDurably(const TemporaryFile& file, const std::string& bytes,
-                  const std::string& shown_path) {
+/// Writes to a descriptor, and marks what it wrote. Fails for good when a write does.
+class FileBuffer final : public std::streambuf {
+ public:
+  FileBuffer(int descriptor, std::size_t max_bytes)
+      : descriptor_(descriptor), max_bytes_(max_bytes), buffer_(kBufferBytes) {
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+  }
+
+  [[nodiscard]] const FileMark& mark() const { return mark_; }
+  [[nodiscard]] bool isTooLarge() const { return mark_.bytes > max_bytes_; }
+  /// Of the write that failed.
+  [[nodiscard]] int errorNumber() const { return error_number_; }
+
+ protected:
+  int_type overflow(int_type next) override {
+    if (sync() != 0) return traits_type::eof();
+    if (!traits_type::eq_int_type(next, traits_type::eof())) {
+      *pptr() = traits_type::to_char_type(next);
+      pbump(1);
+    }
+    return traits_type::not_eof(next);
+  }
+
+  int sync() override {
+    const auto size = static_cast<std::size_t>(pptr() - pbase());
+    mark_.add({pbase(), size});
+    if (isTooLarge() || error_number_ != 0) return -1;
+    if (!writeAll(descriptor_, pbase(), size)) {
+      error_number_ = errno;
+      return -1;
+    }
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+    return 0;
+  }
+
+ private:
+  static constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
+
+  int descriptor_;
+  std::size_t max_bytes_;
+  std::vector<char> buffer_;
+  FileMark mark_;
+  int error_number_ = 0;
+};
+
+using Writer = std::function<void(std::ostream&)>;
+
+FileMark writeDurably(const TemporaryFile& file, const Writer& writer,
+                      const std::string& shown_path, std::size_t max_bytes) {
   constexpr mode_t kPermissions = 0666;  // less the umask
   ::unlink(file.path().c_str());         // of a process of the same number that was killed
   FileDescriptor descriptor(
       ::open(file.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kPermissions));
   if (descriptor.get() < 0) fail(shown_path, errno);
   lockPart(descriptor.get());
-  if (!writeAll(descriptor.get(), bytes) || ::fsync(descriptor.get()) != 0 || !descriptor.close())
-    fail(shown_path, errno);
+  FileBuffer buffer(descriptor.get(), max_bytes);
+  std::ostream out(&buffer);
+  writer(out);
+  out.flush();
+  if (buffer.isTooLarge()) {
+    throw refuse(shown_path, "would be larger than " + std::to_string(max_bytes) + " bytes",
+                 "no larger file can be read back");
+  }
+  if (!out) fail(shown_path, buffer.errorNumber());
+  if (::fsync(descriptor.get()) != 0 || !descriptor.close()) fail(shown_path, errno);
+  return buffer.mark();
+}
+
+Writer writerOf(const std::string& bytes) {
+  return [&bytes](std::ostream& out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  };
 }
 
 bool isPlainName(const std::string& name) {
@@ -104,19 +170,26 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   if (failed || !fs::is_directory(path_, failed))
     throw refuse(path_, "cannot be created (" + failed.message() + ")", kWritable);
   removeStaleParts(path_);
-  writeDurably(TemporaryFile(partPath(path_, "probe")), "probe", path_);
+  const std::string probe = "probe";
+  writeDurably(TemporaryFile(partPath(path_, probe)), writerOf(probe), path_, kMaxFileBytes);
 }
 
 void OutputFolder::write(const std::string& name, const std::string& bytes) const {
+  (void)write(name, writerOf(bytes));
+}
+
+FileMark OutputFolder::write(const std::string& name, const Writer& writer,
+                             std::size_t max_bytes) const {
   if (!isPlainName(name)) {
     throw refuse(path_, "\"" + shown(name) + "\" is not a file name",
                  "a name of at most 200 bytes without a path is needed");
   }
   const std::string target = (fs::path(path_) / name).string();
   const TemporaryFile file(partPath(path_, name));
-  writeDurably(file, bytes, target);
+  const FileMark mark = writeDurably(file, writer, target, max_bytes);
   if (std::rename(file.path().c_str(), target.c_str()) != 0) fail(target, errno);
   flush();
+  return mark;
 }
 
 void OutputFolder::flush() const { flushFolder(path_); }

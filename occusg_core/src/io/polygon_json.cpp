@@ -36,8 +36,8 @@ Segment2 segmentOf(const json& value, const std::string& where) {
 
 Ring RingReader::read(const json& value, const std::string& where) {
   vertices_ += arrayOf(value, where).size();
-  if (vertices_ > kMaxRoomVertices) {
-    throw refuse(file_, "has more than " + std::to_string(kMaxRoomVertices) + " vertices",
+  if (vertices_ > max_vertices_) {
+    throw refuse(file_, "has more than " + std::to_string(max_vertices_) + " vertices",
                  "fewer are needed");
   }
   Ring ring;

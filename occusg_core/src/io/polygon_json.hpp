@@ -23,8 +23,9 @@ namespace occusg {
 /// Reads rings until the file's share of vertices is used up.
 class RingReader {
  public:
-  explicit RingReader(std::string file, RingOrder order = RingOrder::kOriented)
-      : file_(std::move(file)), order_(order) {}
+  explicit RingReader(std::string file, RingOrder order = RingOrder::kOriented,
+                      std::size_t max_vertices = kMaxRoomVertices)
+      : file_(std::move(file)), order_(order), max_vertices_(max_vertices) {}
 
   /// A ring of at least three vertices, without a repeated last one.
   [[nodiscard]] Ring read(const nlohmann::json& value, const std::string& where);
@@ -40,6 +41,7 @@ class RingReader {
 
   std::string file_;
   RingOrder order_;
+  std::size_t max_vertices_;
   std::size_t vertices_ = 0;
 };
 

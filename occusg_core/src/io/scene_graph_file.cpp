@@ -2,11 +2,15 @@
 #include "occusg/io/scene_graph_file.hpp"
 
 #include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <variant>
 
 #include "io/graph_json.hpp"
 #include "io/json_text.hpp"
+#include "occusg/error.hpp"
 
 namespace occusg {
 namespace {
@@ -80,25 +84,60 @@ json membersOf(const Edge& edge) {
   return members;
 }
 
+constexpr const char* kGraphPlace = "scene graph";
+
+void checkCount(const char* what, std::size_t count, std::size_t largest) {
+  if (count <= largest) return;
+  throw refuse(kGraphPlace, "has " + std::to_string(count) + " " + what,
+               "at most " + std::to_string(largest) + " can be read back");
+}
+
+std::size_t verticesOf(const SceneGraph& graph) {
+  std::size_t vertices = 0;
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
+    const Polygon& polygon = std::get<RoomAttributes>(node.attributes).polygon;
+    vertices += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) vertices += hole.size();
+  }
+  return vertices;
+}
+
+/// What the reader would refuse is not written.
+void checkReadable(const SceneGraph& graph) {
+  checkCount("nodes", graph.nodeCount(), kMaxGraphNodes);
+  checkCount("edges", graph.edgeCount(), kMaxGraphEdges);
+  checkCount("vertices of rooms", verticesOf(graph), kMaxGraphVertices);
+}
+
 }  // namespace
 
-std::string toJson(const SceneGraph& graph, const std::string& scene, const std::string& frame) {
-  json nodes = json::array();
+void writeJson(const SceneGraph& graph, const std::string& scene, const std::string& frame,
+               std::ostream& out) {
+  checkReadable(graph);
+  JsonStream document(out, kGraphPlace, kMaxGraphValues);
+  document.member("format", "occusg-scene-graph");
+  document.member("version", kSceneGraphFileVersion);
+  document.member("scene", scene);
+  document.member("frame", frame);
+  document.beginList("nodes");
   for (std::size_t type = 0; type < kNodeTypeCount; ++type) {
     for (const auto& [id, node] : graph.nodes(static_cast<NodeType>(type)))
-      nodes.push_back(membersOf(node));
+      document.element(membersOf(node));
   }
-  json edges = json::array();
+  document.endList();
+  document.beginList("edges");
   for (std::size_t type = 0; type < kEdgeTypeCount; ++type) {
     for (const auto& [ends, edge] : graph.edges(static_cast<EdgeType>(type)))
-      edges.push_back(membersOf(edge));
+      document.element(membersOf(edge));
   }
-  return jsonDocument({{"format", "occusg-scene-graph"},
-                       {"version", kSceneGraphFileVersion},
-                       {"scene", scene},
-                       {"frame", frame},
-                       {"nodes", std::move(nodes)},
-                       {"edges", std::move(edges)}});
+  document.endList();
+  document.end();
+}
+
+std::string toJson(const SceneGraph& graph, const std::string& scene, const std::string& frame) {
+  std::ostringstream text;
+  writeJson(graph, scene, frame, text);
+  return text.str();
 }
 
 RoomsFile roomsOf(const SceneGraph& graph, const std::string& scene, double floor_z_m) {

@@ -215,7 +215,7 @@ void checkSize(const json& list, std::size_t largest, const std::string& where) 
 
 void readNodes(const json& list, const std::string& file, SceneGraph& graph) {
   checkSize(list, kMaxGraphNodes, file + ": nodes");
-  RingReader rings(file);
+  RingReader rings(file, RingOrder::kOriented, kMaxGraphVertices);
   std::map<NodeId, Node> nodes;
   for (std::size_t i = 0; i < list.size(); ++i) {
     Node node = nodeOf(list[i], file, i, rings);
@@ -284,7 +284,7 @@ void checkKind(const json& document, const std::string& where) {
 }  // namespace
 
 SceneGraphFile parseSceneGraph(const std::string& text, const std::string& where) {
-  const json document = parseJson(text, where);
+  const json document = parseJson(text, where, kMaxGraphValues);
   checkKind(document, where);
   SceneGraphFile file;
   file.scene = stringOf(member(document, "scene", where), where + ": scene");

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
+#include <ostream>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -100,21 +102,22 @@ std::string checkedFile(const fs::path& folder, const std::string& name, const F
   return bytes;
 }
 
-void saveParts(const std::string& folder, const std::map<std::string, std::string>& parts,
-               const SessionState& state) {
+using Parts = std::map<std::string, std::function<void(std::ostream&)>>;
+
+void saveParts(const std::string& folder, const Parts& parts, const SessionState& state) {
   checkSessionPlace(folder);
   const fs::path place = placeOf(folder);
-  std::map<std::string, FileMark> marks;
-  for (const auto& [name, bytes] : parts) marks[name] = markOf(bytes);
-
   fs::path parent = place.parent_path();
   if (parent.empty()) parent = ".";
   const OutputFolder beside(parent.string());
   const Leftover fresh(partPath(parent.string(), place.filename().string()));
   const OutputFolder written(fresh.path().string());
   const HeldFolder held(fresh.path());
-  for (const auto& [name, bytes] : parts) written.write(name, bytes);
-  written.write(kSessionFile, toSessionJson(state, marks));
+  std::map<std::string, FileMark> marks;
+  for (const auto& [name, writer] : parts) marks[name] = written.write(name, writer, kMaxPartBytes);
+  const std::string index = toSessionJson(state, marks);
+  const auto write_index = [&](std::ostream& out) { out << index; };
+  (void)written.write(kSessionFile, write_index, kMaxSessionBytes);
   putInPlace(fresh.path(), parent / place.filename());
 }
 
@@ -155,15 +158,21 @@ void checkSessionPlace(const std::string& folder) {
                "a new or a session's folder is needed");
 }
 
+namespace {
+
+std::function<void(std::ostream&)> writerOf(const SessionState& state) {
+  return [&state](std::ostream& out) { writeJson(state.graph.graph, state.scene, "map", out); };
+}
+
+}  // namespace
+
 void saveSession(const std::string& folder, const octomap::OcTree& map, const SessionState& state) {
-  saveParts(folder,
-            {{kMapFile, toOctomap(map, OctomapEncoding::kFull)},
-             {kGraphFile, toJson(state.graph.graph, state.scene)}},
-            state);
+  const auto write_map = [&](std::ostream& out) { writeOctomap(map, OctomapEncoding::kFull, out); };
+  saveParts(folder, {{kMapFile, write_map}, {kGraphFile, writerOf(state)}}, state);
 }
 
 void saveSession(const std::string& folder, const SessionState& state) {
-  saveParts(folder, {{kGraphFile, toJson(state.graph.graph, state.scene)}}, state);
+  saveParts(folder, {{kGraphFile, writerOf(state)}}, state);
 }
 
 Session loadSession(const std::string& folder, const OccupancyMapConfig& config) {

@@ -44,6 +44,10 @@ json filesOf(const std::map<std::string, FileMark>& files) {
 }
 
 json tracksOf(const RegionTrackerState& tracker) {
+  if (tracker.tracks.size() > kMaxTracks) {
+    throw refuse("session", "has " + std::to_string(tracker.tracks.size()) + " regions",
+                 "at most " + std::to_string(kMaxTracks) + " can be read back");
+  }
   json tracks = json::array();
   for (const RegionTrackerState::Track& track : tracker.tracks) {
     json holes = json::array();

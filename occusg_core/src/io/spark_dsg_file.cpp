@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -195,57 +199,65 @@ json edgeOf(const Edge& edge) {
             {"metadata", std::move(metadata)}}}};
 }
 
-json nodesOf(const SceneGraph& graph) {
-  json nodes = json::array();
+void addNodes(const SceneGraph& graph, JsonStream& document) {
+  document.beginList("nodes");
   for (std::size_t i = 0; i < kNodeTypeCount; ++i) {
     const auto type = static_cast<NodeType>(i);
     const auto layer = layerOf(type);
     if (!layer) continue;
-    for (const auto& [id, node] : graph.nodes(type)) nodes.push_back(nodeOf(node, *layer));
+    for (const auto& [id, node] : graph.nodes(type)) document.element(nodeOf(node, *layer));
   }
-  return nodes;
+  document.endList();
 }
 
-json edgesOf(const SceneGraph& graph) {
-  json edges = json::array();
+void addEdges(const SceneGraph& graph, JsonStream& document) {
+  document.beginList("edges");
   for (std::size_t i = 0; i < kEdgeTypeCount; ++i) {
     for (const auto& [ends, edge] : graph.edges(static_cast<EdgeType>(i))) {
       // A node has one parent there, and a room goes before a place.
       const bool has_room_parent =
           edge.type == EdgeType::kNearestFreeSpace && graph.roomOf(edge.source).has_value();
-      if (!has_room_parent) edges.push_back(edgeOf(edge));
+      if (!has_room_parent) document.element(edgeOf(edge));
     }
   }
-  return edges;
+  document.endList();
 }
 
 json keyOf(const Layer& layer) { return {{"layer", layer.layer}, {"partition", layer.partition}}; }
 
 }  // namespace
 
-std::string toSparkDsg(const SceneGraph& graph, const std::string& scene,
-                       const std::string& frame) {
+void writeSparkDsg(const SceneGraph& graph, const std::string& scene, const std::string& frame,
+                   std::ostream& out) {
   const Layer objects = *layerOf(NodeType::kObject);
   const Layer agents = *layerOf(NodeType::kAgent);
   const Layer places = *layerOf(NodeType::kNavigation);
   const Layer rooms = *layerOf(NodeType::kRoom);
   const Layer buildings{5, 0, 'B'};
-  return jsonDocument(
-      {{"SPARK_DSG_header",
-        {{"project_name", "main"}, {"version", {{"major", 1}, {"minor", 1}, {"patch", 3}}}}},
-       {"directed", false},
-       {"multigraph", false},
-       {"metadata", {{"scene", scene}, {"frame", frame}}},
-       {"layer_keys", json::array({keyOf(objects), keyOf(agents), keyOf(places), keyOf(rooms),
-                                   keyOf(buildings)})},
-       {"layer_names",
-        {{"OBJECTS", keyOf(objects)},
-         {"AGENTS", keyOf(agents)},
-         {"PLACES", keyOf(places)},
-         {"ROOMS", keyOf(rooms)},
-         {"BUILDINGS", keyOf(buildings)}}},
-       {"nodes", nodesOf(graph)},
-       {"edges", edgesOf(graph)}});
+  // Spark-DSG, not this program, reads it.
+  JsonStream document(out, "scene graph", std::numeric_limits<std::size_t>::max());
+  document.member("SPARK_DSG_header", {{"project_name", "main"},
+                                       {"version", {{"major", 1}, {"minor", 1}, {"patch", 3}}}});
+  document.member("directed", false);
+  document.member("multigraph", false);
+  document.member("metadata", {{"scene", scene}, {"frame", frame}});
+  document.member("layer_keys", json::array({keyOf(objects), keyOf(agents), keyOf(places),
+                                             keyOf(rooms), keyOf(buildings)}));
+  document.member("layer_names", {{"OBJECTS", keyOf(objects)},
+                                  {"AGENTS", keyOf(agents)},
+                                  {"PLACES", keyOf(places)},
+                                  {"ROOMS", keyOf(rooms)},
+                                  {"BUILDINGS", keyOf(buildings)}});
+  addNodes(graph, document);
+  addEdges(graph, document);
+  document.end();
+}
+
+std::string toSparkDsg(const SceneGraph& graph, const std::string& scene,
+                       const std::string& frame) {
+  std::ostringstream text;
+  writeSparkDsg(graph, scene, frame, text);
+  return text.str();
 }
 
 }  // namespace occusg

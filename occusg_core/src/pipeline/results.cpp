@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <locale>
 #include <map>
+#include <ostream>
 #include <sstream>
 
 #include "occusg/io/graphml_file.hpp"
@@ -80,37 +81,84 @@ std::string timingJson(const StageTimes& times) {
   return json.str();
 }
 
+namespace {
+
+std::vector<ResultFile> bytesOf(const std::vector<ResultWriter>& writers) {
+  std::vector<ResultFile> files;
+  for (const ResultWriter& writer : writers) {
+    std::ostringstream bytes;
+    writer.write(bytes);
+    files.push_back({writer.name, bytes.str()});
+  }
+  return files;
+}
+
+Findings findingsOf(const Pipeline& pipeline, const std::string& scene) {
+  return {pipeline.freeSpace(), pipeline.graph(), pipeline.config().graph.rooms.floor_z_m, scene};
+}
+
+/// By value: the findings hold references to what outlives the writers.
+std::vector<ResultWriter> writersOf(const Findings& found, const StageTimes& times) {
+  const auto rooms = [found] { return roomsOf(found.graph, found.scene, found.floor_z_m); };
+  const auto map = [found] { return toMapFiles(found.free_space, "free_space.pgm"); };
+  return {{"rooms.json", [rooms](std::ostream& out) { out << toJson(rooms()); }},
+          {"scene_graph.json",
+           [found](std::ostream& out) { writeJson(found.graph, found.scene, "map", out); }},
+          {"scene_graph.graphml",
+           [found](std::ostream& out) { writeGraphMl(found.graph, found.scene, out); }},
+          {"scene_graph.dsg.json",
+           [found](std::ostream& out) { writeSparkDsg(found.graph, found.scene, "map", out); }},
+          {"rooms.geojson", [rooms](std::ostream& out) { out << toGeoJson(rooms()); }},
+          {"free_space.pgm", [map](std::ostream& out) { out << map().pgm; }},
+          {"free_space.yaml", [map](std::ostream& out) { out << map().yaml; }},
+          {"timing.json", [&times](std::ostream& out) { out << timingJson(times); }}};
+}
+
+ResultWriter pictureOf(const Findings& found, const std::string& scene) {
+  return {"overview.png", [found, scene](std::ostream& out) {
+            out << overviewPng(found, roomsOf(found.graph, scene, found.floor_z_m));
+          }};
+}
+
+}  // namespace
+
+std::vector<ResultWriter> resultWriters(const Findings& findings, const StageTimes& times) {
+  std::vector<ResultWriter> writers = writersOf(findings, times);
+  writers.push_back(pictureOf(findings, findings.scene));
+  return writers;
+}
+
+std::vector<ResultWriter> resultWriters(const Pipeline& pipeline, const std::string& scene,
+                                        const StageTimes& times) {
+  const Findings findings = findingsOf(pipeline, scene);
+  std::vector<ResultWriter> writers = writersOf(findings, times);
+  writers.push_back({"map.ot", [&pipeline](std::ostream& out) {
+                       writeOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull, out);
+                     }});
+  writers.push_back(pictureOf(findings, scene));
+  return writers;
+}
+
 std::vector<ResultFile> resultFiles(const Findings& findings, const StageTimes& times) {
-  const std::string& scene = findings.scene;
-  const RoomsFile rooms = roomsOf(findings.graph, scene, findings.floor_z_m);
-  const MapFiles map = toMapFiles(findings.free_space, "free_space.pgm");
-  return {{"rooms.json", toJson(rooms)},
-          {"scene_graph.json", toJson(findings.graph, scene)},
-          {"scene_graph.graphml", toGraphMl(findings.graph, scene)},
-          {"scene_graph.dsg.json", toSparkDsg(findings.graph, scene)},
-          {"rooms.geojson", toGeoJson(rooms)},
-          {"free_space.pgm", map.pgm},
-          {"free_space.yaml", map.yaml},
-          {"timing.json", timingJson(times)},
-          {"overview.png", overviewPng(findings, rooms)}};
+  return bytesOf(resultWriters(findings, times));
 }
 
 std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string& scene,
                                     const StageTimes& times) {
-  std::vector<ResultFile> files = resultFiles(
-      {pipeline.freeSpace(), pipeline.graph(), pipeline.config().graph.rooms.floor_z_m, scene},
-      times);
-  files.push_back({"map.ot", toOctomap(pipeline.occupancyMap().tree(), OctomapEncoding::kFull)});
-  return files;
+  return bytesOf(resultWriters(pipeline, scene, times));
+}
+
+void writeResultFiles(const OutputFolder& folder, const std::vector<ResultWriter>& files) {
+  std::map<std::string, FileMark> marks;
+  for (const ResultWriter& file : files) marks[file.name] = folder.write(file.name, file.write);
+  folder.write(kResultIndexFile, toResultIndex(marks));
 }
 
 void writeResultFiles(const OutputFolder& folder, const std::vector<ResultFile>& files) {
-  std::map<std::string, FileMark> marks;
-  for (const ResultFile& file : files) {
-    folder.write(file.name, file.bytes);
-    marks[file.name] = markOf(file.bytes);
-  }
-  folder.write(kResultIndexFile, toResultIndex(marks));
+  std::vector<ResultWriter> writers;
+  for (const ResultFile& file : files)
+    writers.push_back({file.name, [&file](std::ostream& out) { out << file.bytes; }});
+  writeResultFiles(folder, writers);
 }
 
 }  // namespace occusg

@@ -10,9 +10,11 @@
 
 #include <csignal>
 #include <optional>
+#include <ostream>
 #include <utility>
 
 #include "error_sentence.hpp"
+#include "occusg/error.hpp"
 #include "temporary_folder.hpp"
 
 namespace occusg {
@@ -85,6 +87,46 @@ TEST(OutputFolder, WritesAndReplacesFilesAndLeavesNothingElse) {
   EXPECT_EQ(folder.read("x.bin"), bytes);
   EXPECT_EQ(folder.read("empty"), "");
   EXPECT_EQ(filesIn(folder.path()), 2U);
+}
+
+TEST(OutputFolder, StreamedFileIsThatOfTheSameBytesAndIsMarked) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.path());
+  std::string bytes;
+  for (int i = 0; i < 50'000; ++i) bytes += std::to_string(i) + '\n';  // several buffers
+  const FileMark mark = output.write("x", [](std::ostream& out) {
+    for (int i = 0; i < 50'000; ++i) out << i << '\n';
+  });
+  EXPECT_TRUE(folder.read("x") == bytes);
+  EXPECT_TRUE(mark == markOf(bytes));
+}
+
+TEST(OutputFolder, StreamedFileThatNoReaderWouldTakeOrWhoseWriterFailsKeepsThePrevious) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.path());
+  output.write("x", "previous");
+  const auto large = [](std::ostream& out) { out << std::string(1'000'000, 'n'); };
+  EXPECT_TRUE(tells(sentenceOf([&] { output.write("x", large, 999'999); }),
+                    {folder.at("x"), "would be larger than 999999 bytes"}));
+  const auto failing = [](std::ostream& out) {
+    out << "half";
+    throw Error("no more");
+  };
+  EXPECT_TRUE(tells(sentenceOf([&] { output.write("x", failing); }), {"no more"}));
+  EXPECT_EQ(folder.read("x"), "previous");
+  EXPECT_EQ(filesIn(folder.path()), 1U);
+  EXPECT_NO_THROW(output.write("x", large, 1'000'000));
+}
+
+TEST(OutputFolder, FailureMode16FullDiskStopsAStreamedFileToo) {
+  const TemporaryFolder folder;
+  const OutputFolder output(folder.path());
+  output.write("x", "previous");
+  const FileSizeLimit limit(100'000);
+  const auto large = [](std::ostream& out) { out << std::string(1'000'000, 'n'); };
+  EXPECT_TRUE(tells(sentenceOf([&] { output.write("x", large); }),
+                    {folder.at("x"), "cannot be written", "space left"}));
+  EXPECT_EQ(folder.read("x"), "previous");
 }
 
 TEST(OutputFolder, FailureMode16FullDiskKeepsThePreviousFileAndLeavesNoOther) {

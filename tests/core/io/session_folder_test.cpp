@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "error_sentence.hpp"
+#include "occusg/graph/agent_layer.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 #include "temporary_folder.hpp"
@@ -177,6 +178,39 @@ TEST_F(SessionFolder, LeavesOtherFoldersAndFilesAlone) {
   EXPECT_TRUE(
       tells(sentenceOf([&] { checkSessionPlace(folder_.at("kept/file")); }), {"is a file"}));
   EXPECT_TRUE(tells(sentenceOf([&] { checkSessionPlace("/"); }), {"no name for a session"}));
+}
+
+// A month of driving at 0.4 m/s: a million agents are offered.
+TEST_F(SessionFolder, SessionOfAMonthOfDrivingIsSavedAndRead) {
+  SessionState state = sampleState();
+  AgentLayer agents(AgentLayerConfig{});
+  Pose pose = Pose::Identity();
+  constexpr int kOffered = 1'000'000;
+  for (int i = 0; i < kOffered; ++i) {
+    pose.translation() = Eigen::Vector3d(0.5 * (i % 401), 0.5 * (i / 401 % 97), 1.2);
+    agents.observe(state.graph.graph, pose, 13.0 + 2.6 * i);
+  }
+  EXPECT_EQ(state.graph.graph.nextId(NodeType::kAgent), kFurtherAgents);
+  save(state);
+  const std::size_t kept = state.graph.graph.nodes(NodeType::kAgent).size();
+  EXPECT_LE(kept, 20'000U);
+  EXPECT_GT(kept, 1000U);
+  EXPECT_LT(fs::file_size(fs::path(path_) / "scene_graph.json"), 10'000'000U);
+  const Session session = loadSession(path_, OccupancyMapConfig{});
+  EXPECT_EQ(session.state.graph.graph.nodes(NodeType::kAgent).size(), kept);
+  EXPECT_EQ(session.state.graph.graph.nextId(NodeType::kAgent), kFurtherAgents);
+}
+
+TEST_F(SessionFolder, WhatNoReaderWouldTakeIsNotSaved) {
+  save();
+  SessionState state = sampleState();
+  RoomAttributes room;
+  room.region_id = 77;
+  room.polygon.outer.assign(kMaxGraphVertices + 1, {1.0, 2.0});
+  state.graph.graph.add({1, 1, 0}, 1.0, room);
+  EXPECT_TRUE(tells(sentenceOf([&] { save(state); }),
+                    {"vertices of rooms", "at most 500000 can be read back"}));
+  EXPECT_EQ(loadSession(path_, OccupancyMapConfig{}).state.stamp_s, 12.5);
 }
 
 TEST_F(SessionFolder, SaveThatFailsLeavesTheOldSession) {

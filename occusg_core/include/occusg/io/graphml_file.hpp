@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <iosfwd>
 #include <string>
 
 #include "occusg/graph/scene_graph.hpp"
@@ -13,5 +14,7 @@ namespace occusg {
 /// directed, with "type"; an undirected one is written once, from the smaller id.
 /// @throws Error when a value is not finite.
 [[nodiscard]] std::string toGraphMl(const SceneGraph& graph, const std::string& scene);
+/// The same, node by node.
+void writeGraphMl(const SceneGraph& graph, const std::string& scene, std::ostream& out);
 
 }  // namespace occusg

@@ -4,6 +4,7 @@
 #include <octomap/OcTree.h>
 
 #include <cstddef>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,5 +53,8 @@ inline constexpr std::size_t kMaxOctomapHeaderBytes = std::size_t{1} << 16U;
 
 /// The bytes of a map file that OctoMap's own reader takes, and `readOctomap`.
 [[nodiscard]] std::string toOctomap(const octomap::OcTree& tree, OctomapEncoding encoding);
+/// The same, node by node: a large map's bytes never stand in memory.
+/// @throws Error when it has more nodes than `readOctomap` takes, kMaxOctomapNodes.
+void writeOctomap(const octomap::OcTree& tree, OctomapEncoding encoding, std::ostream& out);
 
 }  // namespace occusg

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <iosfwd>
 #include <string>
+
+#include "occusg/io/file_mark.hpp"
 
 namespace occusg {
 
@@ -21,6 +26,14 @@ class OutputFolder {
   /// @throws Error naming the file and the reason (read-only, no space left, ...); a previous file
   /// of that name is untouched.
   void write(const std::string& name, const std::string& bytes) const;
+
+  /// The same with what `writer` puts into the stream, which is never wholly in memory.
+  /// @return size and checksum of the file.
+  /// @throws Error also when the file would be larger than `max_bytes`, and whatever `writer`
+  /// throws.
+  FileMark write(const std::string& name, const std::function<void(std::ostream&)>& writer,
+                 std::size_t max_bytes = kMaxFileBytes) const;
+  static constexpr std::size_t kMaxFileBytes = std::size_t{1} << 40U;
 
   /// Makes a rename in the folder last through a power cut.
   /// @throws Error when that fails.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iosfwd>
 #include <string>
 
 #include "occusg/graph/limits.hpp"
@@ -29,6 +30,11 @@ inline constexpr int kSceneGraphFileVersion = 1;
 /// @throws Error when a value is not finite.
 [[nodiscard]] std::string toJson(const SceneGraph& graph, const std::string& scene,
                                  const std::string& frame = "map");
+/// The same, node by node: a large graph's text never stands in memory.
+/// @throws Error as `toJson`, or when the graph is beyond what `parseSceneGraph` reads
+/// (limits.hpp).
+void writeJson(const SceneGraph& graph, const std::string& scene, const std::string& frame,
+               std::ostream& out);
 
 /// What a `scene_graph.json` holds.
 struct SceneGraphFile {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <iosfwd>
 #include <string>
 
 #include "occusg/graph/scene_graph.hpp"
@@ -18,5 +19,8 @@ namespace occusg {
 /// @throws Error when a value is not finite.
 [[nodiscard]] std::string toSparkDsg(const SceneGraph& graph, const std::string& scene,
                                      const std::string& frame = "map");
+/// The same, node by node.
+void writeSparkDsg(const SceneGraph& graph, const std::string& scene, const std::string& frame,
+                   std::ostream& out);
 
 }  // namespace occusg

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -40,9 +42,25 @@ struct Findings {
                                                   const std::string& scene,
                                                   const StageTimes& times);
 
+/// A file to be written: its plain name and who writes its bytes.
+struct ResultWriter {
+  std::string name;
+  std::function<void(std::ostream&)> write;
+};
+
+/// The files of `resultFiles`, made one at a time when they are written; the picture, which takes
+/// longest and tells nothing the others do not, is the last.
+/// @param findings and `times`, `pipeline` outlive the writers.
+[[nodiscard]] std::vector<ResultWriter> resultWriters(const Findings& findings,
+                                                      const StageTimes& times);
+[[nodiscard]] std::vector<ResultWriter> resultWriters(const Pipeline& pipeline,
+                                                      const std::string& scene,
+                                                      const StageTimes& times);
+
 /// Writes the files in their order, and the index of them (`result_index.hpp`) when all are there:
 /// a folder whose index agrees with its files is of one run.
 /// @throws Error as `OutputFolder::write`.
+void writeResultFiles(const OutputFolder& folder, const std::vector<ResultWriter>& files);
 void writeResultFiles(const OutputFolder& folder, const std::vector<ResultFile>& files);
 
 }  // namespace occusg
