@@ -131,7 +131,8 @@ std::string overviewPng(const GridMap& map, const Decomposition& decomposition) 
   GridMap unmoved = map;
   unmoved.in_map = {};
   const RoomsFile rooms = roomsOf(decomposition, unmoved);
-  return encodePng(drawOverview(map.free_space, {map.name, rooms.rooms, rooms.doors, {}}));
+  return encodePng(drawOverview(map.free_space, {map.name, rooms.rooms, rooms.doors, {}}),
+                   effortFor(rooms.rooms.size()));
 }
 
 std::string drawingPng(const Decomposer& decomposer, const Decomposition& decomposition,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "io/json_text.hpp"
 #include "occusg/io/label_placement.hpp"
@@ -121,6 +122,32 @@ void drawLabel(Canvas& canvas, const RoomMask& mask, const cv::Mat& path, const 
   }
 }
 
+double pixelsOf(const RoomRecord& room, const OverviewView& view) {
+  const Bounds2 box = bounds(room.polygon);
+  const double shown = static_cast<double>(view.size.area());
+  return std::min(
+      shown, (box.max.x - box.min.x) * (box.max.y - box.min.y) * view.px_per_m * view.px_per_m);
+}
+
+/// The rooms that get a label: the largest, as many as can be read and placed in about a second.
+std::vector<bool> labelledRooms(const OverviewView& view, const std::vector<RoomRecord>& rooms) {
+  constexpr std::size_t kMaxLabels = 600;
+  constexpr double kMaxPixels = 2e7;  // searched for places, several times each
+  std::vector<std::pair<double, std::size_t>> by_area;
+  for (std::size_t i = 0; i < rooms.size(); ++i) by_area.emplace_back(-area(rooms[i].polygon), i);
+  std::sort(by_area.begin(), by_area.end());
+  std::vector<bool> is_labelled(rooms.size(), false);
+  double pixels = 0.0;
+  for (std::size_t rank = 0; rank < std::min(kMaxLabels, by_area.size()); ++rank) {
+    const std::size_t room = by_area[rank].second;
+    const double needed = pixelsOf(rooms[room], view);
+    if (rank > 0 && pixels + needed > kMaxPixels) continue;
+    pixels += needed;
+    is_labelled[room] = true;
+  }
+  return is_labelled;
+}
+
 /// Where the path and its ends are drawn, and a little around them.
 cv::Mat pathMask(const OverviewView& view, const std::vector<Point2>& trajectory) {
   constexpr int kLineWidth_px = 9;
@@ -141,8 +168,11 @@ cv::Mat pathMask(const OverviewView& view, const std::vector<Point2>& trajectory
 void drawRoomLabels(Canvas& canvas, const OverviewView& view, const FreeSpace& layer,
                     const OverviewContent& content) {
   const cv::Mat path = pathMask(view, content.trajectory);
-  for (const RoomRecord& room : content.rooms)
-    drawLabel(canvas, maskOf(room, view, layer), path, room);
+  const std::vector<bool> is_labelled = labelledRooms(view, content.rooms);
+  for (std::size_t i = 0; i < content.rooms.size(); ++i) {
+    const RoomRecord& room = content.rooms[i];
+    if (is_labelled[i]) drawLabel(canvas, maskOf(room, view, layer), path, room);
+  }
 }
 
 std::string areaText(double area_m2) {

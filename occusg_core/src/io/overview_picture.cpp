@@ -223,11 +223,14 @@ cv::Mat drawOverview(const FreeSpace& given_layer, const OverviewContent& given_
   return canvas.picture();
 }
 
-std::string encodePng(const cv::Mat& picture) {
-  const std::vector<int> smallest{cv::IMWRITE_PNG_COMPRESSION, 9, cv::IMWRITE_PNG_STRATEGY,
-                                  cv::IMWRITE_PNG_STRATEGY_DEFAULT};
+std::string encodePng(const cv::Mat& picture, PngEffort effort) {
+  constexpr int kSmallest = 9;
+  constexpr int kFast = 3;
+  const std::vector<int> options{cv::IMWRITE_PNG_COMPRESSION,
+                                 effort == PngEffort::kSmallest ? kSmallest : kFast,
+                                 cv::IMWRITE_PNG_STRATEGY, cv::IMWRITE_PNG_STRATEGY_DEFAULT};
   std::vector<unsigned char> bytes;
-  if (picture.empty() || !cv::imencode(".png", picture, bytes, smallest))
+  if (picture.empty() || !cv::imencode(".png", picture, bytes, options))
     throw refuse("picture", "cannot be encoded", "a picture with at least one pixel is needed");
   return {bytes.begin(), bytes.end()};
 }

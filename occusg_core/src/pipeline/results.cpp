@@ -55,7 +55,8 @@ std::string overviewPng(const Findings& findings, const RoomsFile& rooms) {
   const SceneGraph& graph = findings.graph;
   return encodePng(
       drawOverview(findings.free_space, {rooms.scene, rooms.rooms, rooms.doors, trajectoryOf(graph),
-                                         objectsOf(graph), linksOf(graph)}));
+                                         objectsOf(graph), linksOf(graph)}),
+      effortFor(rooms.rooms.size()));
 }
 
 }  // namespace

@@ -219,5 +219,27 @@ TEST(LabelPlacement, NothingFitsIntoNothing) {
   EXPECT_EQ(placeLabel(cv::Mat::zeros(10, 10, CV_8UC1), {60, 20}).fit, 0.0);
 }
 
+RoomRecord roomAt(int id, double x, double y, double side) {
+  return {id, "", {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, {}}};
+}
+
+// How long a picture takes is bounded by how many labels are placed.
+TEST(OverviewPicture, OfThousandsOfRoomsTheLargestAreLabelled) {
+  constexpr int kSide = 60;  // 3600 rooms, the first of them a little smaller than the others
+  std::vector<RoomRecord> rooms;
+  for (int i = 0; i < kSide * kSide; ++i)
+    rooms.push_back(roomAt(i + 1, 4.0 * (i % kSide), 4.0 * (i / kSide), i < 1000 ? 3.7 : 3.8));
+  rooms.push_back(roomAt(kSide * kSide + 1, 0.0, 4.0 * kSide, 40.0));
+  const cv::Mat picture = drawOverview({}, {"", rooms, {}, {}});
+  rooms[7].label = "kitchen";
+  EXPECT_EQ(cv::norm(picture, drawOverview({}, {"", rooms, {}, {}}), cv::NORM_L1), 0.0)
+      << "a small room has a label";
+  rooms.back().label = "kitchen";
+  EXPECT_GT(cv::norm(picture, drawOverview({}, {"", rooms, {}, {}}), cv::NORM_L1), 0.0)
+      << "the largest room has no label";
+  EXPECT_EQ(effortFor(rooms.size()), PngEffort::kFast);
+  EXPECT_EQ(effortFor(40), PngEffort::kSmallest);
+}
+
 }  // namespace
 }  // namespace occusg
