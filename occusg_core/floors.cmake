@@ -154,6 +154,7 @@ occusg_add_floor(io
     sequence_reader.cpp
     session_folder.cpp
     session_json.cpp
+    session_repair.cpp
     spark_dsg_file.cpp
     text_lines.cpp
   USES geometry perception mapping regions graph

@@ -64,6 +64,7 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments);
 ExitCode evalCommand(const std::vector<std::string>& arguments);
 ExitCode projectCommand(const std::vector<std::string>& arguments);
 ExitCode showCommand(const std::vector<std::string>& arguments);
+ExitCode sessionCommand(const std::vector<std::string>& arguments);
 ExitCode configCommand(const std::vector<std::string>& arguments);
 ExitCode batchCommand(const std::vector<std::string>& arguments);
 ExitCode ablateCommand(const std::vector<std::string>& arguments);

@@ -16,10 +16,10 @@ namespace {
 using Command = std::function<ExitCode(const std::vector<std::string>&)>;
 
 std::map<std::string, Command> commands() {
-  return {{"run", runCommand},       {"segment", segmentCommand}, {"project", projectCommand},
-          {"show", showCommand},     {"eval", evalCommand},       {"batch", batchCommand},
-          {"ablate", ablateCommand}, {"merge", mergeCommand},     {"truth", truthCommand},
-          {"config", configCommand}};
+  return {{"run", runCommand},         {"segment", segmentCommand}, {"project", projectCommand},
+          {"show", showCommand},       {"eval", evalCommand},       {"batch", batchCommand},
+          {"ablate", ablateCommand},   {"merge", mergeCommand},     {"truth", truthCommand},
+          {"session", sessionCommand}, {"config", configCommand}};
 }
 
 constexpr const char* kHelp =
@@ -37,6 +37,7 @@ Commands:
   ablate SEQUENCE... -o OUT the same over values of one parameter
   merge FOLDER... -o OUT    tables and report of batches run in shards
   truth mp3d HOUSE -o FILE  annotated rooms from a Matterport3D .house file
+  session check|repair DIR  tell whether a saved session can be used, make it so
   config --print            write all parameters with units, ranges and the paper's values
 
 Each command explains itself: occusg COMMAND --help

@@ -14,12 +14,14 @@
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/sequence_reader.hpp"
+#include "occusg/io/session_repair.hpp"
 #include "occusg/perception/class_names.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "occusg/pipeline/room_labels_file.hpp"
 #include "progress_bar.hpp"
 #include "room_table.hpp"
+#include "wall_clock.hpp"
 
 namespace occusg::apps {
 namespace {
@@ -181,6 +183,10 @@ std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) 
                  "name the one that was saved beside it, as in --map map.ot");
   }
   sayWhatWasCut(*session.map, *session_folder);
+  if (const std::size_t stamps = repairStamps(session.state, latestCredibleStamp()); stamps > 0) {
+    std::cerr << "occusg: " << *session_folder << ": " << stamps
+              << " stamps are from the future; taken as of the latest stamp before\n";
+  }
   const double stamp_s = session.state.stamp_s;
   pipeline.resume(std::move(session));
   return stamp_s;

@@ -26,6 +26,7 @@ expect "first half" 0 "" run half -o first --save-session kept
 for part in map.ot scene_graph.json session.json; do
   [ -s kept/$part ] || fail "the session lacks $part"
 done
+cp -r kept half_way
 expect "second half" 0 "" run whole -o second --resume kept --save-session kept
 grep -q "120 frames the session knows already" out.txt || fail "known frames are not counted"
 expect "rooms of the resumed run" 0 "" eval second/rooms.json one/rooms.json --json metrics.json
@@ -59,6 +60,19 @@ expect "damaged session" 1 "damaged/map.ot: is 1000 bytes long" run whole -o oth
 mkdir thesis && touch thesis/chapter.tex
 expect "a folder that is no session" 1 "something else" run whole -o other --save-session thesis
 [ ! -e other ] || fail "an output folder was made although the session cannot be saved"
+
+# --- Sessions that need repair
+expect "session that is fine" 0 "" session check kept
+cp -r half_way future && sed -i -E 's/"stamp_s": [0-9.]+/"stamp_s": 4294967295.0/' future/session.json
+expect "stamp from the future" 1 "" session check future
+grep -q "from the future" out.txt || fail "session check does not tell of stamps from the future"
+expect "resume a session of the future" 0 "stamps are from the future" run whole -o from_future --resume future
+cp -r kept changed && sed -i 's/"floor_id":0/"floor_id":1/' changed/scene_graph.json
+expect "resume a changed session" 1 "not what the session was saved with" run whole -o other --resume changed
+expect "repair" 0 "" session repair changed
+[ -s changed.unrepaired/session.json ] || fail "the session before the repair is not kept"
+expect "session after its repair" 0 "" session check changed
+expect "unknown action" 2 "allowed are check, repair" session mend kept
 
 # --- What fails while saving
 expect "session that cannot be saved" 1 "/proc/nowhere" run half -o unsaved --save-session /proc/nowhere/session

@@ -16,6 +16,7 @@
 #include "io/folder_exchange.hpp"
 #include "io/part_file.hpp"
 #include "io/session_json.hpp"
+#include "io/session_parts.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/file_bytes.hpp"
 #include "occusg/io/octomap_file.hpp"
@@ -27,12 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSessionFile = "session.json";
-constexpr const char* kMapFile = "map.ot";
-constexpr const char* kGraphFile = "scene_graph.json";
-constexpr std::size_t kMaxSessionBytes = std::size_t{64} << 20U;
-constexpr std::size_t kMaxPartBytes = std::size_t{1} << 30U;
-
 /// The folder's path without the slash at its end: what stands beside it is named after it.
 fs::path placeOf(const std::string& folder) {
   fs::path place = fs::path(folder).lexically_normal();
@@ -40,14 +35,6 @@ fs::path placeOf(const std::string& folder) {
   if (!place.has_filename() || place.filename() == "." || place.filename() == "..")
     throw refuse(folder, "is no name for a session", "the name of a folder is needed");
   return place;
-}
-
-/// The session at the path, or what a save that was killed between two steps set aside.
-fs::path sessionAt(const std::string& folder) {
-  std::error_code failed;
-  if (fs::exists(folder, failed)) return folder;
-  const fs::path standing = standingFolder(placeOf(folder));
-  return fs::exists(standing, failed) ? standing : fs::path(folder);
 }
 
 /// Removes what is at the path at the end of the scope.
@@ -148,6 +135,27 @@ void checkObjects(const SessionState& state, const std::string& where) {
 
 }  // namespace
 
+std::filesystem::path sessionAt(const std::string& folder) {
+  std::error_code failed;
+  if (fs::exists(folder, failed)) return folder;
+  const fs::path standing = standingFolder(placeOf(folder));
+  return fs::exists(standing, failed) ? standing : fs::path(folder);
+}
+
+void addGraph(SessionJson& session, SceneGraph graph, const std::string& where) {
+  SessionState& state = session.state;
+  state.graph.graph = std::move(graph);
+  for (const auto& [type, id] : session.next_ids) {
+    try {
+      state.graph.graph.skipIdsBefore(type, id);
+    } catch (const Error& error) {
+      throw Error(where + ": " + error.what());
+    }
+  }
+  checkRooms(state, where);
+  checkObjects(state, where);
+}
+
 void checkSessionPlace(const std::string& folder) {
   const fs::path place = placeOf(folder);
   std::error_code failed;
@@ -185,20 +193,11 @@ Session loadSession(const std::string& folder, const OccupancyMapConfig& config)
     map = readOctomap((place / kMapFile).string(), config);
   }
   const std::string graph_path = (place / kGraphFile).string();
-  SessionState& state = session.state;
-  state.graph.graph =
-      parseSceneGraph(checkedFile(place, kGraphFile, session.files.at(kGraphFile)), graph_path)
-          .graph;
-  for (const auto& [type, id] : session.next_ids) {
-    try {
-      state.graph.graph.skipIdsBefore(type, id);
-    } catch (const Error& error) {
-      throw Error(path + ": " + error.what());
-    }
-  }
-  checkRooms(state, path);
-  checkObjects(state, path);
-  return {std::move(map), std::move(state)};
+  addGraph(session,
+           parseSceneGraph(checkedFile(place, kGraphFile, session.files.at(kGraphFile)), graph_path)
+               .graph,
+           path);
+  return {std::move(map), std::move(session.state)};
 }
 
 }  // namespace occusg
