@@ -20,6 +20,7 @@ set(OCCUSG_ROS_NEEDS
   dynamic_reconfigure:libdynamic-reconfigure-config-init-mutex-dev
   geometry_msgs:libgeometry-msgs-dev
   image_transport:libimage-transport-dev
+  map_msgs:libmap-msgs-dev
   message_filters:libmessage-filters-dev
   nav_msgs:libnav-msgs-dev
   nodelet:libnodeletlib-dev

@@ -82,18 +82,18 @@ Placement placementOf(const nav_msgs::MapMetaData& info, const std::string& wher
           std::atan2(origin.linear()(1, 0), origin.linear()(0, 0))};
 }
 
-std::int8_t checkedValue(std::int8_t value, const std::string& where) {
+std::int8_t meaningOf(std::int8_t value, const CellValues& values, const std::string& where) {
   if (value < occusg::kUnknown || value > occusg::kFullObstacle) {
     throw refuse(where, "a cell has the value " + std::to_string(value),
                  "-1 (unknown) and 0 to 100 are allowed");
   }
-  return value;
+  return value < 0 ? occusg::kUnknown : values[static_cast<std::size_t>(value)];
 }
 
 bool liesOnCells(const Placement& placement) { return std::abs(placement.yaw_rad) < 1e-9; }
 
 FreeSpace movedToCells(const nav_msgs::OccupancyGrid& grid, const Placement& placement,
-                       const std::string& where) {
+                       const CellValues& values, const std::string& where) {
   const double resolution_m = grid.info.resolution;
   const Cell min{static_cast<int>(std::lround(placement.origin.x / resolution_m)),
                  static_cast<int>(std::lround(placement.origin.y / resolution_m))};
@@ -101,7 +101,7 @@ FreeSpace movedToCells(const nav_msgs::OccupancyGrid& grid, const Placement& pla
       min, {min.x + static_cast<int>(grid.info.width), min.y + static_cast<int>(grid.info.height)}};
   occusg::Grid<std::int8_t> cells(box, occusg::kUnknown);
   std::transform(grid.data.begin(), grid.data.end(), cells.values().begin(),
-                 [&](std::int8_t value) { return checkedValue(value, where); });
+                 [&](std::int8_t value) { return meaningOf(value, values, where); });
   return {GridFrame{resolution_m}, FreeSpaceCells(cells), box};
 }
 
@@ -117,12 +117,12 @@ CellBox boundsOf(const nav_msgs::MapMetaData& info, const Placement& placement) 
 }
 
 FreeSpace sampledAtCells(const nav_msgs::OccupancyGrid& grid, const Placement& placement,
-                         const std::string& where) {
+                         const CellValues& values, const std::string& where) {
   const double resolution_m = grid.info.resolution;
   const CellBox box = boundsOf(grid.info, placement);
   if (static_cast<double>(box.width()) * box.height() > occusg::kMaxLayerCells)
     throw refuse(where, "the turned map is too large", "turn it upright or make it smaller");
-  for (const std::int8_t value : grid.data) checkedValue(value, where);
+  for (const std::int8_t value : grid.data) (void)meaningOf(value, values, where);
   FreeSpace layer{GridFrame{resolution_m}, FreeSpaceCells(box, occusg::kUnknown), box};
   for (int y = box.min.y; y < box.max.y; ++y) {
     for (int x = box.min.x; x < box.max.x; ++x) {
@@ -131,8 +131,9 @@ FreeSpace sampledAtCells(const nav_msgs::OccupancyGrid& grid, const Placement& p
       const double row = std::floor(inside.y / resolution_m);
       if (column < 0.0 || row < 0.0 || column >= grid.info.width || row >= grid.info.height)
         continue;
-      layer.cells.at({x, y}) = grid.data[static_cast<std::size_t>(row) * grid.info.width +
-                                         static_cast<std::size_t>(column)];
+      const std::int8_t value = grid.data[static_cast<std::size_t>(row) * grid.info.width +
+                                          static_cast<std::size_t>(column)];
+      layer.cells.at({x, y}) = meaningOf(value, values, where);
     }
   }
   return layer;
@@ -161,11 +162,18 @@ nav_msgs::OccupancyGrid toGridMsg(const FreeSpace& layer, const std_msgs::Header
   return grid;
 }
 
-FreeSpace toFreeSpace(const nav_msgs::OccupancyGrid& grid, const std::string& where) {
+nav_msgs::OccupancyGrid toDecidedGrid(nav_msgs::OccupancyGrid grid) {
+  for (std::int8_t& value : grid.data)
+    if (value > occusg::kFree) value = occusg::kFullObstacle;
+  return grid;
+}
+
+FreeSpace toFreeSpace(const nav_msgs::OccupancyGrid& grid, const std::string& where,
+                      const CellValues& values) {
   checkSize(grid.info, grid.data.size(), where);
   const Placement placement = placementOf(grid.info, where);
-  FreeSpace layer = liesOnCells(placement) ? movedToCells(grid, placement, where)
-                                           : sampledAtCells(grid, placement, where);
+  FreeSpace layer = liesOnCells(placement) ? movedToCells(grid, placement, values, where)
+                                           : sampledAtCells(grid, placement, values, where);
   // The message has room for a float; what was meant is the nearest short decimal.
   layer.frame.resolution_m = std::round(layer.frame.resolution_m * 1e6) / 1e6;
   return layer;

@@ -19,6 +19,7 @@
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
+#include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -69,6 +70,7 @@ MappingNode::~MappingNode() {
 
 void MappingNode::advertise() {
   layer_publisher_ = handles_.inputs.advertise<nav_msgs::OccupancyGrid>("free_space", 1, true);
+  fill_publisher_ = handles_.inputs.advertise<nav_msgs::OccupancyGrid>("free_space_fill", 1, true);
   gaps_publisher_ = handles_.inputs.advertise<occusg::OverheadGaps>("overhead_gaps", 1, true);
   voxel_publisher_ = handles_.inputs.advertise<sensor_msgs::PointCloud2>("occupied_voxels", 1);
 #ifdef OCCUSG_HAVE_OCTOMAP_MSGS
@@ -93,12 +95,14 @@ void MappingNode::subscribe() {
                own.advertiseService("pause", &MappingNode::onPause, this),
                own.advertiseService("save", &MappingNode::onSave, this),
                own.advertiseService("load", &MappingNode::onLoad, this)};
+  const std::string& place = handles_.inputs.getNamespace();
   info_subscriber_ =
-      handles_.inputs.subscribe("depth/camera_info", kQueue, &MappingNode::onInfo, this);
+      handles_.inputs.subscribe(inputTopic(place, settings_.depth_info, "depth/camera_info"),
+                                kQueue, &MappingNode::onInfo, this);
   transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
   image_subscriber_ = transport_->subscribe(
-      "depth/image_rect", static_cast<std::uint32_t>(settings_.queue_size), &MappingNode::onImage,
-      this,
+      inputTopic(place, settings_.depth_image, "depth/image_rect"),
+      static_cast<std::uint32_t>(settings_.queue_size), &MappingNode::onImage, this,
       image_transport::TransportHints(settings_.image_transport, ros::TransportHints(),
                                       handles_.parameters));
   health_timer_ = handles_.inputs.createWallTimer(
@@ -345,7 +349,9 @@ void MappingNode::publishLayer(const std_msgs::Header& header, double logical_s)
 void MappingNode::sendLayer(const std_msgs::Header& header) {
   const occusg::FreeSpace& layer = map_->freeSpace();
   gaps_publisher_.publish(boost::make_shared<occusg::OverheadGaps>(toGapsMsg(layer, header)));
-  layer_publisher_.publish(boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(layer, header)));
+  const auto fill = boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(layer, header));
+  layer_publisher_.publish(boost::make_shared<nav_msgs::OccupancyGrid>(toDecidedGrid(*fill)));
+  fill_publisher_.publish(fill);
 }
 
 // The layer follows logical time; the rest of a drive that has ended must not stay behind.

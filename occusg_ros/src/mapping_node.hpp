@@ -147,6 +147,7 @@ class MappingNode {
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   ros::Publisher layer_publisher_;
+  ros::Publisher fill_publisher_;
   ros::Publisher gaps_publisher_;
   ros::Publisher voxel_publisher_;
   ros::Publisher octomap_publisher_;

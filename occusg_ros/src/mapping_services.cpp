@@ -45,7 +45,8 @@ void MappingNode::showNewMap() {
 }
 
 std::string MappingNode::folderOf(const std::string& name) const {
-  return expandedFolder(settings_.save_folder) + "/" + checkedSaveName(name);
+  return expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()) + "/" +
+         checkedSaveName(name);
 }
 
 Saver::Writing MappingNode::writingTo(const std::string& name) const {

@@ -24,6 +24,8 @@ struct MappingLive {
 /// The parameters of occusg/mapping besides those of the pipeline.
 struct MappingSettings {
   std::string map_frame = "map";
+  std::string depth_image;
+  std::string depth_info;
   std::string image_transport = "raw";
   int queue_size = 10;
   double tf_cache_s = 10.0;
@@ -47,6 +49,13 @@ struct MappingSettings {
   MappingLive& live = settings.live;
   return {
       textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
+      textParameter(
+          settings.depth_image,
+          {"depth_image", "",
+           "Topic of the depth images, below the robot's namespace; empty: depth/image_rect."}),
+      textParameter(
+          settings.depth_info,
+          {"depth_info", "", "Topic of their camera_info, likewise; empty: depth/camera_info."}),
       textParameter(settings.image_transport,
                     {"image_transport", "", "How images travel: raw, compressedDepth, ..."}),
       countParameter(settings.queue_size, {1, 10000},
@@ -69,8 +78,10 @@ struct MappingSettings {
           settings.autosave_period_s, {0.0, 86400.0},
           {"autosave_period_s", "s",
            "The map is saved as 'last' so often while it changes; 0: only at the end."}),
-      textParameter(settings.save_folder,
-                    {"save_folder", "", "Where maps are saved; empty: ~/.ros/occusg."}),
+      textParameter(
+          settings.save_folder,
+          {"save_folder", "",
+           "Where maps are saved; empty: ~/.ros/occusg, and below it the robot's namespace."}),
       textParameter(settings.resume,
                     {"resume", "", "Name of a saved map to go on from; empty: begin anew."}),
       numberParameter(live.tf_timeout_s, {0.0, 60.0},

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "occusg/error.hpp"
+#include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -33,10 +34,13 @@ std::string checkedSaveName(const std::string& name) {
   return name;
 }
 
-std::string expandedFolder(const std::string& folder) {
+std::string expandedFolder(const std::string& folder, const std::string& node_namespace) {
   if (folder.empty()) {
+    const std::string robot = robotNamespace(node_namespace);
+    const std::string own = robot == "/" ? "" : robot;
     const std::string ros_home = environment("ROS_HOME");
-    return ros_home.empty() ? expandedFolder("~/.ros/occusg") : ros_home + "/occusg";
+    return ros_home.empty() ? expandedFolder("~/.ros/occusg" + own, node_namespace)
+                            : ros_home + "/occusg" + own;
   }
   if (folder.front() != '~') return folder;
   const std::string home = environment("HOME");

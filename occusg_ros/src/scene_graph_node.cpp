@@ -15,6 +15,7 @@
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/pose_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
+#include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -52,6 +53,7 @@ SceneGraphNode::~SceneGraphNode() {
   health_timer_.stop();
   tick_timer_.stop();
   grid_subscriber_.shutdown();
+  grid_update_subscriber_.shutdown();
   gaps_subscriber_.shutdown();
   odometry_subscriber_.shutdown();
   detections_subscriber_.shutdown();
@@ -94,10 +96,17 @@ void SceneGraphNode::advertiseTopics() {
 void SceneGraphNode::subscribe() {
   ros::NodeHandle& nh = handles_.inputs;
   gaps_subscriber_ = nh.subscribe("overhead_gaps", kQueue, &SceneGraphNode::onGaps, this);
-  grid_subscriber_ = nh.subscribe("free_space", kQueue, &SceneGraphNode::onGrid, this);
+  const std::string& place = nh.getNamespace();
+  const std::string map = inputTopic(place, settings_.map, "free_space");
+  grid_subscriber_ = nh.subscribe(map, kQueue, &SceneGraphNode::onGrid, this);
+  // What changes a map that is published whole once: costmap_2d, move_base, explore_lite. Below the
+  // topic's name after remapping, where those publish it.
+  grid_update_subscriber_ = nh.subscribe(grid_subscriber_.getTopic() + "_updates", kUpdateQueue,
+                                         &SceneGraphNode::onGridUpdate, this);
   detections_subscriber_ = nh.subscribe("detections", kQueue, &SceneGraphNode::onDetections, this);
   if (settings_.pose_source == PoseSource::kOdometry)
-    odometry_subscriber_ = nh.subscribe("odom", kQueue, &SceneGraphNode::onOdometry, this);
+    odometry_subscriber_ = nh.subscribe(inputTopic(place, settings_.odom, "odom"), kQueue,
+                                        &SceneGraphNode::onOdometry, this);
   // Timers of the wall clock that look at the clock of ROS: it may jump back, which would stop a
   // timer of its own for as long as it jumped.
   tick_timer_ = nh.createWallTimer(ros::WallDuration(kTick_s),
@@ -123,9 +132,30 @@ void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    whole_grid_ = grid;
     if (waiting_.takeGrid(grid, steadySeconds())) health_.noteDropped(Drop::kOverload, "");
   }
   worker_->wake();
+}
+
+void SceneGraphNode::onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update) {
+  const CallbackTimes::Timing timing(callbacks_, "free space");
+  nav_msgs::OccupancyGridConstPtr whole;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    whole = whole_grid_;
+  }
+  const std::string& topic = grid_update_subscriber_.getTopic();
+  try {
+    if (!whole)
+      throw occusg::refuse(topic, "a part came before the map", "the whole map must come once");
+    onGrid(boost::make_shared<const nav_msgs::OccupancyGrid>(updated(*whole, *update, topic)));
+  } catch (const occusg::Error& error) {
+    health_.noteReceived();
+    health_.noteDropped(Drop::kImage, error.what());
+    if (map_warnings_.allows())
+      ROS_WARN_STREAM(handles_.name << ": map not used: " << error.what());
+  }
 }
 
 void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
@@ -280,7 +310,10 @@ std::optional<occusg::Pose> SceneGraphNode::poseFor(const WaitingMap::Map& waiti
 }
 
 void SceneGraphNode::update(const WaitingMap::Map& map, const occusg::Pose& pose) {
-  occusg::FreeSpace layer = toFreeSpace(*map.grid, grid_subscriber_.getTopic());
+  const GridReading reading =
+      readingOf(map.grid->data, {settings_.free_below_percent, occupiedAbove(settings_)});
+  tellAssumption(reading.assumption);
+  occusg::FreeSpace layer = toFreeSpace(*map.grid, grid_subscriber_.getTopic(), reading.values);
   if (map.gaps) addGaps(*map.gaps, gaps_subscriber_.getTopic(), layer);
   const bool is_comparable = layer.frame.resolution_m == layer_.frame.resolution_m;
   const occusg::CellBox changed = is_comparable ? layer.cells.differingFrom(layer_.cells)
@@ -291,6 +324,13 @@ void SceneGraphNode::update(const WaitingMap::Map& map, const occusg::Pose& pose
   rooms_->update(layer_, changed, pose, timeline_.at(map.grid->header.stamp.toSec()));
   publish(map.grid->header);
   noteStatus();
+}
+
+void SceneGraphNode::tellAssumption(const std::string& assumption) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!assumption.empty() && status_.assumption.empty())
+    ROS_WARN_STREAM(handles_.name << ": " << grid_subscriber_.getTopic() << ": " << assumption);
+  status_.assumption = assumption;
 }
 
 void SceneGraphNode::followRobot() {

@@ -3,6 +3,7 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <dynamic_reconfigure/server.h>
+#include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <occusg/DetectionArray.h>
@@ -71,6 +72,7 @@ class SceneGraphNode {
     std::size_t nodes = 0;
     std::size_t edges = 0;
     std::string last_save = "never";
+    std::string assumption;  ///< Under which the map is read; empty: none.
   };
   using GraphPtr = boost::shared_ptr<const occusg::SceneGraphStamped>;
 
@@ -79,6 +81,7 @@ class SceneGraphNode {
   void subscribe();
 
   void onGrid(const nav_msgs::OccupancyGridConstPtr& grid);
+  void onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update);
   void onGaps(const occusg::OverheadGapsConstPtr& gaps);
   void onOdometry(const nav_msgs::OdometryConstPtr& odometry);
   void onDetections(const occusg::DetectionArrayConstPtr& detections);
@@ -94,6 +97,7 @@ class SceneGraphNode {
   [[nodiscard]] PoseAnswer robotPose(const ros::Time& stamp) const;
   [[nodiscard]] std::optional<occusg::Pose> poseFor(const WaitingMap::Map& waiting);
   void update(const WaitingMap::Map& map, const occusg::Pose& pose);
+  void tellAssumption(const std::string& assumption);
   void followRobot();
   void publish(const std_msgs::Header& header);
   void publishMarkers(const std_msgs::Header& header);
@@ -144,6 +148,7 @@ class SceneGraphNode {
 
   mutable std::mutex mutex_;  ///< Of the members up to `status_`.
   WaitingMap waiting_;
+  nav_msgs::OccupancyGridConstPtr whole_grid_;  ///< With all parts that came since.
   nav_msgs::OdometryConstPtr odometry_;
   std::string pose_problem_;
   GraphPtr last_graph_;
@@ -180,6 +185,7 @@ class SceneGraphNode {
   std::unique_ptr<dynamic_reconfigure::Server<occusg::SceneGraphLiveConfig>> reconfigure_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber grid_subscriber_;
+  ros::Subscriber grid_update_subscriber_;
   ros::Subscriber gaps_subscriber_;
   ros::Subscriber odometry_subscriber_;
   ros::Subscriber detections_subscriber_;

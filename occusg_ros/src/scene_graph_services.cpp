@@ -125,13 +125,17 @@ bool SceneGraphNode::onSetRoomLabel(occusg::SetRoomLabel::Request& request,
 
 bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,
                                   occusg::SegmentMap::Response& response) {
+  std::string assumption;
   try {
     occusg::PipelineConfig config = config_;
     if (!request.decomposer.empty()) {
       config = occusg::configFromYaml("regions.decomposer: " + request.decomposer + "\n",
                                       "decomposer", config);
     }
-    const occusg::FreeSpace layer = toFreeSpace(request.map, "map");
+    const GridReading reading =
+        readingOf(request.map.data, {settings_.free_below_percent, occupiedAbove(settings_)});
+    const occusg::FreeSpace layer = toFreeSpace(request.map, "map", reading.values);
+    assumption = reading.assumption;
     const auto decomposer = occusg::makeDecomposer(config);
     const occusg::Decomposition& found = decomposer->update(layer);
     response.segmented_map = toLabelImage(found, request.map);
@@ -140,7 +144,8 @@ bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,
   } catch (const occusg::Error& error) {
     return answer(response, error.what(), "");
   }
-  return answer(response, "", std::to_string(response.regions.size()) + " regions");
+  const std::string assumed = assumption.empty() ? "" : "; " + assumption;
+  return answer(response, "", std::to_string(response.regions.size()) + " regions" + assumed);
 }
 
 bool SceneGraphNode::onPause(std_srvs::SetBool::Request& request,

@@ -25,7 +25,8 @@ bool isOfTheLayer(const std::string& name) {
 }  // namespace
 
 std::string SceneGraphNode::folderOf(const std::string& name) const {
-  return expandedFolder(settings_.save_folder) + "/" + checkedSaveName(name);
+  return expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()) + "/" +
+         checkedSaveName(name);
 }
 
 void SceneGraphNode::resetGraph() {

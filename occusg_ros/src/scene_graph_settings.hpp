@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct SceneGraphSettings {
   std::string map_frame = "map";
   std::string robot_frame = "base_link";
   PoseSource pose_source = PoseSource::kTf;
+  std::string map;
+  std::string odom;
+  double free_below_percent = 0.0;
+  double occupied_above_percent = 0.0;
   std::string scene = "scene";
   double tf_timeout_s = 0.5;
   double tf_cache_s = 10.0;
@@ -29,6 +34,11 @@ struct SceneGraphSettings {
   std::string mapping_node = "mapping";
   MarkerLayout layout;
 };
+
+/// The occupancy above which a cell is occupied [%], never below the one it is free below.
+[[nodiscard]] inline double occupiedAbove(const SceneGraphSettings& settings) {
+  return std::max(settings.occupied_above_percent, settings.free_below_percent);
+}
 
 /// The settings by name.
 /// @param settings outlives the parameters.
@@ -44,6 +54,18 @@ struct SceneGraphSettings {
       choiceParameter<PoseSource>(settings.pose_source,
                                   {{"tf", PoseSource::kTf}, {"odometry", PoseSource::kOdometry}},
                                   {"pose_source", "", "Where the robot's pose comes from."}),
+      textParameter(
+          settings.map,
+          {"map", "", "Topic of the 2D map, below the robot's namespace; empty: free_space."}),
+      textParameter(settings.odom, {"odom", "", "Topic of the odometry, likewise; empty: odom."}),
+      numberParameter(
+          settings.free_below_percent, {0.0, 100.0},
+          {"free_below_percent", "%",
+           "Cells of the 2D map below this occupancy are free; 0: only those of 0, or below 50 "
+           "in a map of probabilities."}),
+      numberParameter(settings.occupied_above_percent, {0.0, 100.0},
+                      {"occupied_above_percent", "%",
+                       "Cells above this occupancy are occupied; used with free_below_percent."}),
       textParameter(settings.scene, {"scene", "", "What the scene is called."}),
       numberParameter(settings.tf_timeout_s, {0.0, 60.0},
                       {"tf_timeout_s", "s", "How long free space waits for the pose of its time."}),
@@ -58,8 +80,10 @@ struct SceneGraphSettings {
           settings.autosave_period_s, {0.0, 86400.0},
           {"autosave_period_s", "s",
            "The rooms are saved as 'last' so often while they change; 0: only at the end."}),
-      textParameter(settings.save_folder,
-                    {"save_folder", "", "Where rooms are saved; empty: ~/.ros/occusg."}),
+      textParameter(
+          settings.save_folder,
+          {"save_folder", "",
+           "Where rooms are saved; empty: ~/.ros/occusg, and below it the robot's namespace."}),
       textParameter(settings.resume,
                     {"resume", "", "Name of a saved session to go on from; empty: begin anew."}),
       textParameter(settings.mapping_node,

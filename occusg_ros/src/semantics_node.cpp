@@ -14,6 +14,7 @@
 #include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
+#include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -48,9 +49,13 @@ SemanticsNode::SemanticsNode(const NodeHandles& handles)
   diagnostics_.setHardwareID("none");
   diagnostics_.add("semantics", this, &SemanticsNode::describe);
   ros::NodeHandle& nh = handles_.inputs;
-  color_subscriber_.subscribe(nh, "rgb/image_rect_color", kQueue);
-  depth_subscriber_.subscribe(nh, "depth/image_rect", kQueue);
-  info_subscriber_.subscribe(nh, "depth/camera_info", kQueue);
+  const std::string& place = nh.getNamespace();
+  color_subscriber_.subscribe(nh, inputTopic(place, settings_.rgb_image, "rgb/image_rect_color"),
+                              kQueue);
+  depth_subscriber_.subscribe(nh, inputTopic(place, settings_.depth_image, "depth/image_rect"),
+                              kQueue);
+  info_subscriber_.subscribe(nh, inputTopic(place, settings_.depth_info, "depth/camera_info"),
+                             kQueue);
   synchronizer_ = std::make_unique<message_filters::Synchronizer<Policy>>(
       Policy(kQueue), color_subscriber_, depth_subscriber_, info_subscriber_);
   synchronizer_->registerCallback(&SemanticsNode::onViews, this);

@@ -35,6 +35,9 @@ namespace occusg_ros {
 /// The parameters of occusg/semantics.
 struct SemanticsSettings {
   std::string map_frame = "map";
+  std::string depth_image;
+  std::string depth_info;
+  std::string rgb_image;
   std::string model;
   std::string classes;
   double tf_timeout_s = 0.5;
@@ -45,6 +48,13 @@ struct SemanticsSettings {
 [[nodiscard]] inline std::vector<occusg::Parameter> parametersOf(SemanticsSettings& settings) {
   return {
       textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
+      textParameter(settings.depth_image,
+                    {"depth_image", "", "As of the mapping node; empty: depth/image_rect."}),
+      textParameter(settings.depth_info,
+                    {"depth_info", "", "As of the mapping node; empty: depth/camera_info."}),
+      textParameter(
+          settings.rgb_image,
+          {"rgb_image", "", "Topic of the colour images, likewise; empty: rgb/image_rect_color."}),
       textParameter(settings.model, {"model", "", "ONNX file of a YOLO segmentation model."}),
       textParameter(settings.classes, {"classes", "", "Names of its classes, one a line."}),
       occusg::numberParameter(settings.tf_timeout_s, {0.0, 60.0},

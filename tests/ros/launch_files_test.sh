@@ -10,6 +10,8 @@ for launch in "$root"/launch/*.launch "$root"/launch/bringup/*.launch; do
   if grep -q 'arg name="driver"' "$launch"; then
     arguments+=(driver:=false)
   fi
+  # What has no default must be given.
+  for name in $(sed -n 's/.*<arg name="\([a-z_]*\)" doc=.*/\1/p' "$launch"); do arguments+=("$name:=given"); done
   echo "$launch"
   roslaunch --dump-params "$launch" "${arguments[@]}" > /dev/null
   undocumented=$(grep -c '<arg .*default="[^"]*"/>' "$launch" || true)

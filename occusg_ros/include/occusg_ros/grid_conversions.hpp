@@ -15,6 +15,7 @@
 
 #include "occusg/mapping/free_space.hpp"
 #include "occusg/regions/region.hpp"
+#include "occusg_ros/grid_reading.hpp"
 
 namespace occusg_ros {
 
@@ -22,8 +23,13 @@ namespace occusg_ros {
 [[nodiscard]] nav_msgs::MapMetaData toGridInfo(const occusg::FreeSpace& layer,
                                                const std_msgs::Header& header);
 
+/// Free cells are 0, unknown ones -1, and obstacles 1..100 to the degree in which they fill the
+/// space beside them.
 [[nodiscard]] nav_msgs::OccupancyGrid toGridMsg(const occusg::FreeSpace& layer,
                                                 const std_msgs::Header& header);
+/// The same with every obstacle at 100, as a costmap's static layer and map_saver expect it: they
+/// take the degrees below their threshold for free.
+[[nodiscard]] nav_msgs::OccupancyGrid toDecidedGrid(nav_msgs::OccupancyGrid grid);
 
 /// The map in `grid` on cells aligned to multiples of its resolution: a grid that lies between them
 /// is moved by half a cell at most, a turned one is sampled at the cells' centres. All of it counts
@@ -31,8 +37,10 @@ namespace occusg_ros {
 /// @param where opens every sentence; the topic.
 /// @throws occusg::Error, before anything is allocated, when resolution, size or origin cannot be
 /// used or the values are not -1..100.
+/// @param values what 0..100 mean (`readingOf`).
 [[nodiscard]] occusg::FreeSpace toFreeSpace(const nav_msgs::OccupancyGrid& grid,
-                                            const std::string& where);
+                                            const std::string& where,
+                                            const CellValues& values = unchangedValues());
 
 /// The region of every cell of `grid` as 32SC1, in the grid's order of rows; 0: none.
 [[nodiscard]] sensor_msgs::Image toLabelImage(const occusg::Decomposition& decomposition,

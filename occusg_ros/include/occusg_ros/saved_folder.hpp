@@ -14,8 +14,9 @@ inline constexpr const char* kDefaultSaveName = "last";
 [[nodiscard]] std::string checkedSaveName(const std::string& name);
 
 /// `folder` with a leading "~" replaced by the user's home; when empty, `occusg` in ROS_HOME or
-/// ~/.ros.
+/// ~/.ros, and below it the robot's namespace (`robotNamespace`), so that two robots keep apart.
 /// @throws occusg::Error when it takes a home and there is none.
-[[nodiscard]] std::string expandedFolder(const std::string& folder);
+[[nodiscard]] std::string expandedFolder(const std::string& folder,
+                                         const std::string& node_namespace = "/");
 
 }  // namespace occusg_ros
