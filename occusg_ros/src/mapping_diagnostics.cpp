@@ -70,7 +70,7 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("map nodes", map.map_nodes);
   status.add("map memory [MiB]", mebibytes);
   status.add("points outside the map", map.counts.points_outside_map);
-  status.add("frames outside the map", map.counts.frames_outside_map);
+  status.add("frames outside the map", map.counts.framesMisplaced());
   status.add("pixels: zero", map.counts.pixel_drops.zero);
   status.add("pixels: NaN", map.counts.pixel_drops.nan);
   status.add("pixels: infinite", map.counts.pixel_drops.infinite);

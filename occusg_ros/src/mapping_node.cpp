@@ -329,6 +329,10 @@ bool MappingNode::reachedMap(const occusg::MapCounts& before) {
     drop(Drop::kMap, "the map has reached mapping/occupancy/max_memory_mb; reset it or raise it");
   } else if (now.frames_outside_map > before.frames_outside_map) {
     drop(Drop::kMap, "the camera is farther away than the map reaches; choose a nearer origin");
+  } else if (now.frames_too_fast > before.frames_too_fast) {
+    drop(Drop::kMap, "its pose is farther from the last one than a robot gets in that time");
+  } else if (now.frames_beyond_span > before.frames_beyond_span) {
+    drop(Drop::kMap, "the map would become wider than its free-space layer can be");
   } else if (now.frames_from_occupied > before.frames_from_occupied) {
     drop(Drop::kMap, "the camera would be inside an obstacle; the pose or the map is wrong there");
   } else if (now.frames_without_depth > before.frames_without_depth) {
