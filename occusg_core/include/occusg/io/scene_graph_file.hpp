@@ -25,8 +25,8 @@ inline constexpr int kSceneGraphFileVersion = 1;
 /// (automatic, person), "region_id", "reason", "area_m2", "polygon", "holes", and
 /// "unsupported_since_s" while its region is missing; DOOR "segment", "width_m", "rooms" [id, id].
 /// An edge has "type", "source", "target"; ROOM_ADJACENCY
-/// also "crossings". Nodes are ordered by id, edges by type, source, target. Lengths are rounded to
-/// 1e-4 m, stamps and orientations to 1e-6.
+/// also "crossings". Nodes are ordered by type and id, edges by type, source, target. Lengths are
+/// rounded to 1e-4 m, stamps and orientations to 1e-6.
 /// @throws Error when a value is not finite.
 [[nodiscard]] std::string toJson(const SceneGraph& graph, const std::string& scene,
                                  const std::string& frame = "map");
