@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/console.h>
 #include <ros/service.h>
+#include <ros/time.h>
 
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "occusg/error.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/session_folder.hpp"
+#include "occusg/io/session_repair.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "occusg_ros/saved_folder.hpp"
 #include "scene_graph_node.hpp"
@@ -20,6 +24,17 @@ constexpr const char* kSessionFolder = "/session";
 // The node that maps writes these beside.
 bool isOfTheLayer(const std::string& name) {
   return name == "free_space.pgm" || name == "free_space.yaml";
+}
+
+/// By the wall clock: simulated time begins anew, and its sessions are no less credible.
+void repair(occusg::SessionState& state, const std::string& folder) {
+  constexpr double kTolerance_s = 5.0;
+  const std::size_t stamps =
+      occusg::repairStamps(state, ros::WallTime::now().toSec() + kTolerance_s);
+  if (stamps == 0) return;
+  ROS_WARN_STREAM(folder << ": " << stamps
+                         << " stamps of the session are from the future; taken as of the latest "
+                            "stamp before");
 }
 
 }  // namespace
@@ -55,8 +70,8 @@ Saver::Writing SceneGraphNode::writingTo(const std::string& name) const {
     const occusg::OutputFolder files(folderOf(name));
     occusg::saveSession(files.path() + kSessionFolder, *state);
     const occusg::Findings findings{layer, state->graph.graph, floor_z_m, state->scene};
-    for (const occusg::ResultFile& file : occusg::resultFiles(findings, times))
-      if (has_layer || !isOfTheLayer(file.name)) files.write(file.name, file.bytes);
+    for (const occusg::ResultWriter& file : occusg::resultWriters(findings, times))
+      if (has_layer || !isOfTheLayer(file.name)) (void)files.write(file.name, file.write);
   };
 }
 
@@ -80,8 +95,8 @@ void SceneGraphNode::noteSave(const std::string& folder, const std::string& prob
 }
 
 void SceneGraphNode::load(const std::string& name) {
-  const occusg::Session session =
-      occusg::loadSession(folderOf(name) + kSessionFolder, config_.occupancy);
+  occusg::Session session = occusg::loadSession(folderOf(name) + kSessionFolder, config_.occupancy);
+  repair(session.state, folderOf(name));
   // Into a fresh one: a session that cannot be used leaves the live graph as it is.
   auto loaded = std::make_unique<occusg::RoomPipeline>(config_);
   loaded->resumeFrom(session.state);
