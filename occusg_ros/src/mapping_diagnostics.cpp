@@ -9,6 +9,14 @@ namespace {
 constexpr double kOld_s = 5.0;
 constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
 
+/// Not counting what gave way to a newer image, which is as it should be on a slow machine.
+bool mostAreDropped(const InputHealth::Counts& counts) {
+  constexpr std::size_t kFewest = 20;
+  const std::size_t dropped =
+      counts.droppedInAll() - counts.of(Drop::kOverload) - counts.of(Drop::kPaused);
+  return counts.received >= kFewest && 2 * dropped > counts.received;
+}
+
 }  // namespace
 
 void MappingNode::checkHealth() {
@@ -47,6 +55,8 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
     status.summary(Level::OK, "paused");
   } else if (age_s > kOld_s) {
     status.summary(Level::WARN, "no usable depth image for " + std::to_string(age_s) + " s");
+  } else if (mostAreDropped(counts)) {
+    status.summary(Level::WARN, "more than half of the images are dropped: " + counts.last_problem);
   } else if (mebibytes > settings_.soft_memory_mib) {
     status.summary(Level::WARN, "the map is larger than soft_memory_mib");
   } else {
@@ -76,7 +86,7 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("pixels: infinite", map.counts.pixel_drops.infinite);
   status.add("pixels: negative", map.counts.pixel_drops.negative);
   callbacks_.describe(status);
-  status.add("last save", map.last_save);
+  map.saves.describe(status, steadySeconds());
 }
 
 }  // namespace occusg_ros

@@ -11,6 +11,7 @@
 #include <boost/make_shared.hpp>
 #include <chrono>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "occusg/error.hpp"
@@ -19,6 +20,7 @@
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
+#include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
@@ -45,11 +47,12 @@ MappingNode::MappingNode(const NodeHandles& handles)
       saver_(settings_.autosave_period_s, started_s_,
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
-      tf_listener_(tf_),
+      tf_input_(tf_),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   advertise();
   resume();
-  worker_ = std::make_unique<Worker>(kPoll, [this] { return step(); });
+  worker_ = std::make_unique<Worker>(
+      kPoll, [this] { return step(); }, [this](const Failure& failure) { onFailure(failure); });
   subscribe();
 }
 
@@ -96,13 +99,14 @@ void MappingNode::subscribe() {
                own.advertiseService("save", &MappingNode::onSave, this),
                own.advertiseService("load", &MappingNode::onLoad, this)};
   const std::string& place = handles_.inputs.getNamespace();
-  info_subscriber_ =
-      handles_.inputs.subscribe(inputTopic(place, settings_.depth_info, "depth/camera_info"),
-                                kQueue, &MappingNode::onInfo, this);
+  info_subscriber_ = handles_.inputs.subscribe<sensor_msgs::CameraInfo>(
+      inputTopic(place, settings_.depth_info, "depth/camera_info"), kQueue,
+      guardedCallback(this, &MappingNode::onInfo, "a camera_info"));
   transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
   image_subscriber_ = transport_->subscribe(
       inputTopic(place, settings_.depth_image, "depth/image_rect"),
-      static_cast<std::uint32_t>(settings_.queue_size), &MappingNode::onImage, this,
+      static_cast<std::uint32_t>(settings_.queue_size),
+      guardedCallback(this, &MappingNode::onImage, "a depth image"), ros::VoidPtr(),
       image_transport::TransportHints(settings_.image_transport, ros::TransportHints(),
                                       handles_.parameters));
   health_timer_ = handles_.inputs.createWallTimer(
@@ -116,9 +120,32 @@ void MappingNode::drop(Drop reason, const std::string& sentence, std::size_t cou
     ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
 }
 
+void MappingNode::onFailure(const Failure& failure) noexcept {
+  try {
+    if (!failure.is_out_of_memory) {
+      drop(Drop::kMap, failure.problem);
+      return;
+    }
+    health_.noteDropped(Drop::kMap, failure.problem);
+    if (paused_.exchange(true)) return;
+    ROS_ERROR_STREAM(handles_.name << ": " << failure.problem
+                                   << "; mapping is paused and the map is saved as '"
+                                   << kDefaultSaveName << "'");
+    worker_->post([this] { (void)save(kDefaultSaveName); });
+  } catch (...) {
+    // Without memory there may be no sentence either.
+    health_.noteDropped(Drop::kMap, "");
+  }
+}
+
 void MappingNode::onInfo(const sensor_msgs::CameraInfoConstPtr& info) {
   const CallbackTimes::Timing timing(callbacks_, "camera_info");
   ++infos_received_;
+  if (isFromTheFuture(info->header.stamp.toSec(), ros::Time::now().toSec())) {
+    drop(Drop::kCameraInfo,
+         "the stamp of the camera_info is in the future; are the clocks synchronised?");
+    return;
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
     camera_ = toCameraModel(*info, info_subscriber_.getTopic());
@@ -303,6 +330,9 @@ void MappingNode::process(const WaitingImage& waiting) {
       noteStatus(steadySeconds() - waiting.arrived_s);
       return;
     }
+  } catch (const std::bad_alloc&) {
+    onFailure({"no more memory for a depth image", true});
+    return;
   } catch (const std::exception& error) {
     drop(Drop::kMap, error.what());
     return;

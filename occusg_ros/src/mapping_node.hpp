@@ -13,7 +13,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <memory>
@@ -26,11 +25,14 @@
 #include "node_handles.hpp"
 #include "occusg/pipeline/map_pipeline.hpp"
 #include "occusg_ros/callback_times.hpp"
+#include "occusg_ros/guarded.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
+#include "occusg_ros/save_status.hpp"
 #include "occusg_ros/saver.hpp"
 #include "occusg_ros/stamp_gate.hpp"
+#include "occusg_ros/tf_input.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
 #include "occusg_ros/worker.hpp"
@@ -50,6 +52,10 @@ class MappingNode {
   /// Within a second or so; what was mapped is saved.
   ~MappingNode();
 
+  /// What a callback or a step threw: counted and said; without memory the node saves what it knows
+  /// and takes no more.
+  void onFailure(const Failure& failure) noexcept;
+
  private:
   struct WaitingImage {
     sensor_msgs::ImageConstPtr image;
@@ -63,7 +69,7 @@ class MappingNode {
     std::size_t map_nodes = 0;
     std::size_t map_bytes = 0;
     double last_lag_s = 0.0;  ///< From a frame's arrival to its layer.
-    std::string last_save = "never";
+    SaveStatus saves{steadySeconds()};
   };
 
   void advertise();
@@ -145,7 +151,7 @@ class MappingNode {
   Saver saver_;
 
   tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
+  TfInput tf_input_;
   ros::Publisher layer_publisher_;
   ros::Publisher fill_publisher_;
   ros::Publisher gaps_publisher_;

@@ -77,7 +77,7 @@ void MappingNode::saveFromTimeToTime() {
 void MappingNode::noteSave(const std::string& folder, const std::string& problem) {
   if (!problem.empty()) ROS_WARN_STREAM(handles_.name << ": the map is not saved: " << problem);
   const std::lock_guard<std::mutex> lock(mutex_);
-  status_.last_save = problem.empty() ? folder : "failed: " + problem;
+  status_.saves.note(folder, problem, steadySeconds());
 }
 
 void MappingNode::load(const std::string& name) {

@@ -44,7 +44,7 @@ void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& statu
   status.add("maps used without their overhead gaps", graph.maps_without_gaps);
   status.add("age of the last used map [s]",
              counts.used > 0 ? steadySeconds() - counts.last_used_s : -1.0);
-  for (const Drop drop : {Drop::kImage, Drop::kOverload, Drop::kMap, Drop::kPaused})
+  for (const Drop drop : {Drop::kImage, Drop::kStamp, Drop::kOverload, Drop::kMap, Drop::kPaused})
     status.add("dropped: " + nameOf(drop), counts.of(drop));
   status.add("last problem", counts.last_problem);
   status.add("region updates", graph.counts.region_updates);
@@ -60,7 +60,7 @@ void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& statu
     status.add(stage + " max [ms]", times.max_ms);
   }
   callbacks_.describe(status);
-  status.add("last save", graph.last_save);
+  graph.saves.describe(status, steadySeconds());
 }
 
 }  // namespace occusg_ros

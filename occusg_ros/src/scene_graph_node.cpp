@@ -6,6 +6,7 @@
 #include <boost/make_shared.hpp>
 #include <chrono>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "occusg/error.hpp"
@@ -15,6 +16,7 @@
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/pose_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
+#include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
@@ -39,12 +41,13 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
       saver_(settings_.autosave_period_s, started_s_,
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
-      tf_listener_(tf_),
+      tf_input_(tf_),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   layer_.frame.resolution_m = config_.occupancy.resolution_m;
   advertiseTopics();
   resume();
-  worker_ = std::make_unique<Worker>(kPoll, [this] { return step(); });
+  worker_ = std::make_unique<Worker>(
+      kPoll, [this] { return step(); }, [this](const Failure& failure) { onFailure(failure); });
   advertiseServices();
   subscribe();
 }
@@ -95,24 +98,57 @@ void SceneGraphNode::advertiseTopics() {
 
 void SceneGraphNode::subscribe() {
   ros::NodeHandle& nh = handles_.inputs;
-  gaps_subscriber_ = nh.subscribe("overhead_gaps", kQueue, &SceneGraphNode::onGaps, this);
   const std::string& place = nh.getNamespace();
-  const std::string map = inputTopic(place, settings_.map, "free_space");
-  grid_subscriber_ = nh.subscribe(map, kQueue, &SceneGraphNode::onGrid, this);
+  gaps_subscriber_ = nh.subscribe<occusg::OverheadGaps>(
+      "overhead_gaps", kQueue, guardedCallback(this, &SceneGraphNode::onGaps, "overhead gaps"));
+  grid_subscriber_ = nh.subscribe<nav_msgs::OccupancyGrid>(
+      inputTopic(place, settings_.map, "free_space"), kQueue,
+      guardedCallback(this, &SceneGraphNode::onGrid, "a map"));
   // What changes a map that is published whole once: costmap_2d, move_base, explore_lite. Below the
   // topic's name after remapping, where those publish it.
-  grid_update_subscriber_ = nh.subscribe(grid_subscriber_.getTopic() + "_updates", kUpdateQueue,
-                                         &SceneGraphNode::onGridUpdate, this);
-  detections_subscriber_ = nh.subscribe("detections", kQueue, &SceneGraphNode::onDetections, this);
-  if (settings_.pose_source == PoseSource::kOdometry)
-    odometry_subscriber_ = nh.subscribe(inputTopic(place, settings_.odom, "odom"), kQueue,
-                                        &SceneGraphNode::onOdometry, this);
+  grid_update_subscriber_ = nh.subscribe<map_msgs::OccupancyGridUpdate>(
+      grid_subscriber_.getTopic() + "_updates", kUpdateQueue,
+      guardedCallback(this, &SceneGraphNode::onGridUpdate, "a part of the map"));
+  detections_subscriber_ = nh.subscribe<occusg::DetectionArray>(
+      "detections", kQueue, guardedCallback(this, &SceneGraphNode::onDetections, "detections"));
+  if (settings_.pose_source == PoseSource::kOdometry) {
+    odometry_subscriber_ = nh.subscribe<nav_msgs::Odometry>(
+        inputTopic(place, settings_.odom, "odom"), kQueue,
+        guardedCallback(this, &SceneGraphNode::onOdometry, "odometry"));
+  }
   // Timers of the wall clock that look at the clock of ROS: it may jump back, which would stop a
   // timer of its own for as long as it jumped.
   tick_timer_ = nh.createWallTimer(ros::WallDuration(kTick_s),
                                    [this](const ros::WallTimerEvent&) { tick(); });
   health_timer_ = nh.createWallTimer(ros::WallDuration(1.0),
                                      [this](const ros::WallTimerEvent&) { checkHealth(); });
+}
+
+void SceneGraphNode::onFailure(const Failure& failure) noexcept {
+  try {
+    health_.noteDropped(Drop::kMap, failure.problem);
+    if (!failure.is_out_of_memory) {
+      if (map_warnings_.allows())
+        ROS_WARN_STREAM(handles_.name << ": not used: " << failure.problem);
+      return;
+    }
+    if (paused_.exchange(true)) return;
+    ROS_ERROR_STREAM(handles_.name << ": " << failure.problem
+                                   << "; the graph is paused and saved as '" << kDefaultSaveName
+                                   << "'");
+    worker_->post([this] { (void)save(kDefaultSaveName); });
+  } catch (...) {
+    // Without memory there may be no sentence either.
+    health_.noteDropped(Drop::kMap, "");
+  }
+}
+
+bool SceneGraphNode::refusesStamp(const ros::Time& stamp, const std::string& topic) {
+  if (!isFromTheFuture(stamp.toSec(), ros::Time::now().toSec())) return false;
+  const std::string problem = topic + ": its stamp is in the future; are the clocks synchronised?";
+  health_.noteDropped(Drop::kStamp, problem);
+  if (map_warnings_.allows()) ROS_WARN_STREAM(handles_.name << ": not used: " << problem);
+  return true;
 }
 
 void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
@@ -122,6 +158,7 @@ void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
     health_.noteDropped(Drop::kPaused, "");
     return;
   }
+  if (refusesStamp(grid->header.stamp, grid_subscriber_.getTopic())) return;
   const std::string& frame = grid->header.frame_id;
   if (frame != settings_.map_frame) {
     const std::string problem = grid_subscriber_.getTopic() + ": its frame is '" + frame +
@@ -160,7 +197,7 @@ void SceneGraphNode::onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& u
 
 void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
   const CallbackTimes::Timing timing(callbacks_, "overhead gaps");
-  if (paused_) return;
+  if (paused_ || refusesStamp(gaps->header.stamp, gaps_subscriber_.getTopic())) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.takeGaps(gaps, steadySeconds());
@@ -170,12 +207,19 @@ void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
 
 void SceneGraphNode::onOdometry(const nav_msgs::OdometryConstPtr& odometry) {
   const CallbackTimes::Timing timing(callbacks_, "odometry");
+  if (refusesStamp(odometry->header.stamp, odometry_subscriber_.getTopic())) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   odometry_ = odometry;
 }
 
 void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detections) {
   const CallbackTimes::Timing timing(callbacks_, "detections");
+  if (refusesStamp(detections->header.stamp, detections_subscriber_.getTopic())) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    detections_received_ += detections->detections.size();
+    detections_refused_ += detections->detections.size();
+    return;
+  }
   ReceivedDetections received = toDetections(*detections);
   const std::string& frame = detections->header.frame_id;
   if (frame != settings_.map_frame) {
@@ -251,6 +295,8 @@ Worker::Progress SceneGraphNode::step() {
   try {
     update(*waiting, *pose);
     health_.noteUsed();
+  } catch (const std::bad_alloc&) {
+    onFailure({"no more memory for a map", true});
   } catch (const std::exception& error) {
     health_.noteDropped(Drop::kMap, error.what());
     if (map_warnings_.allows())

@@ -22,7 +22,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <functional>
@@ -36,10 +35,13 @@
 #include "node_handles.hpp"
 #include "occusg/pipeline/room_pipeline.hpp"
 #include "occusg_ros/callback_times.hpp"
+#include "occusg_ros/guarded.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/ros_timeline.hpp"
+#include "occusg_ros/save_status.hpp"
 #include "occusg_ros/saver.hpp"
+#include "occusg_ros/tf_input.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
 #include "occusg_ros/waiting_map.hpp"
@@ -62,6 +64,10 @@ class SceneGraphNode {
   /// Within a second or so; what was found is saved.
   ~SceneGraphNode();
 
+  /// What a callback or a step threw: counted and said; without memory the node saves what it knows
+  /// and takes no more.
+  void onFailure(const Failure& failure) noexcept;
+
  private:
   /// What the diagnostics show; a copy, so that they wait for no update.
   struct Status {
@@ -71,7 +77,7 @@ class SceneGraphNode {
     std::size_t rooms = 0;
     std::size_t nodes = 0;
     std::size_t edges = 0;
-    std::string last_save = "never";
+    SaveStatus saves{steadySeconds()};
     std::string assumption;  ///< Under which the map is read; empty: none.
   };
   using GraphPtr = boost::shared_ptr<const occusg::SceneGraphStamped>;
@@ -81,6 +87,8 @@ class SceneGraphNode {
   void subscribe();
 
   void onGrid(const nav_msgs::OccupancyGridConstPtr& grid);
+  /// Whether a message is refused for its stamp, which is then counted and said.
+  [[nodiscard]] bool refusesStamp(const ros::Time& stamp, const std::string& topic);
   void onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update);
   void onGaps(const occusg::OverheadGapsConstPtr& gaps);
   void onOdometry(const nav_msgs::OdometryConstPtr& odometry);
@@ -108,6 +116,8 @@ class SceneGraphNode {
   void saveFromTimeToTime();
   void noteSave(const std::string& folder, const std::string& problem);
   void load(const std::string& name);
+  /// The stamp of a session, or the clock for one from the future, which would stop time.
+  [[nodiscard]] double credibleStamp(double saved_s) const;
   void resume();
   [[nodiscard]] std::string folderOf(const std::string& name) const;
 
@@ -172,7 +182,7 @@ class SceneGraphNode {
   Saver saver_;
 
   tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
+  TfInput tf_input_;
   ros::Publisher regions_publisher_;
   ros::Publisher rooms_publisher_;
   ros::Publisher graph_publisher_;

@@ -14,6 +14,7 @@
 #include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
+#include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
@@ -42,9 +43,11 @@ SemanticsNode::SemanticsNode(const NodeHandles& handles)
       waiting_(kQueue),
       segmenter_(segmenterFor(settings_, config_.segmenter)),
       builder_(config_.detection),
-      tf_listener_(tf_),
+      tf_input_(tf_),
       publisher_(handles_.inputs.advertise<occusg::DetectionArray>("detections", kQueue)),
-      worker_(std::make_unique<Worker>(kPoll, [this] { return step(); })),
+      worker_(std::make_unique<Worker>(
+          kPoll, [this] { return step(); },
+          [this](const Failure& failure) { onFailure(failure); })),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("semantics", this, &SemanticsNode::describe);
@@ -82,12 +85,25 @@ void SemanticsNode::drop(Drop reason, const std::string& sentence, std::size_t c
 void SemanticsNode::onViews(const sensor_msgs::ImageConstPtr& color,
                             const sensor_msgs::ImageConstPtr& depth,
                             const sensor_msgs::CameraInfoConstPtr& info) {
+  guarded(
+      "images",
+      [&] {
+        take({color, depth, info, steadySeconds()});
+      },
+      [this](const Failure& failure) { onFailure(failure); });
+}
+
+void SemanticsNode::take(const Views& views) {
   const CallbackTimes::Timing timing(callbacks_, "images");
   health_.noteReceived();
+  if (isFromTheFuture(views.depth->header.stamp.toSec(), ros::Time::now().toSec())) {
+    drop(Drop::kStamp, "its stamp is in the future; are the clocks synchronised?");
+    return;
+  }
   std::optional<Views> pushed_out;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    pushed_out = waiting_.push({color, depth, info, steadySeconds()});
+    pushed_out = waiting_.push(views);
   }
   if (pushed_out) {
     const PoseAnswer pose = poseOf(*pushed_out);
@@ -95,6 +111,15 @@ void SemanticsNode::onViews(const sensor_msgs::ImageConstPtr& color,
     drop(was_ready ? Drop::kOverload : Drop::kNoTransform, pose.problem);
   }
   worker_->wake();
+}
+
+void SemanticsNode::onFailure(const Failure& failure) noexcept {
+  try {
+    drop(Drop::kImage, failure.problem);
+  } catch (...) {
+    // Without memory there may be no sentence either.
+    health_.noteDropped(Drop::kImage, "");
+  }
 }
 
 PoseAnswer SemanticsNode::poseOf(const Views& views) const {

@@ -9,7 +9,6 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <memory>
 #include <mutex>
@@ -23,9 +22,11 @@
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/stage_times.hpp"
 #include "occusg_ros/callback_times.hpp"
+#include "occusg_ros/guarded.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/parameters.hpp"
 #include "occusg_ros/pending_frames.hpp"
+#include "occusg_ros/tf_input.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
 #include "occusg_ros/worker.hpp"
@@ -73,6 +74,9 @@ class SemanticsNode {
   SemanticsNode& operator=(SemanticsNode&&) = delete;
   ~SemanticsNode();
 
+  /// What a callback or a step threw: counted and said.
+  void onFailure(const Failure& failure) noexcept;
+
  private:
   struct Views {
     sensor_msgs::ImageConstPtr color;
@@ -86,6 +90,7 @@ class SemanticsNode {
 
   void onViews(const sensor_msgs::ImageConstPtr& color, const sensor_msgs::ImageConstPtr& depth,
                const sensor_msgs::CameraInfoConstPtr& info);
+  void take(const Views& views);
   void describe(diagnostic_updater::DiagnosticStatusWrapper& status);
   void checkHealth();
 
@@ -114,7 +119,7 @@ class SemanticsNode {
   std::unique_ptr<occusg::InstanceSegmenter> segmenter_;
   occusg::DetectionBuilder builder_;
   tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
+  TfInput tf_input_;
   ros::Publisher publisher_;
   std::unique_ptr<Worker> worker_;
   diagnostic_updater::Updater diagnostics_;

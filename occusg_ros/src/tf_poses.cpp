@@ -4,6 +4,8 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <tf2/exceptions.h>
 
+#include <exception>
+
 #include "occusg/error.hpp"
 #include "occusg_ros/pose_conversions.hpp"
 
@@ -18,7 +20,7 @@ bool isTooOld(const tf2::BufferCore& tf, const std::string& target, const std::s
   if (stamp.isZero()) return false;
   try {
     return tf.lookupTransform(target, source, ros::Time()).header.stamp > stamp;
-  } catch (const tf2::TransformException&) {
+  } catch (const std::exception&) {
     return false;
   }
 }
@@ -40,7 +42,8 @@ PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target, const st
   } catch (const tf2::TransformException& error) {
     return {Kind::kNotYet, occusg::Pose::Identity(),
             "no " + name + " (is the localisation running?): " + error.what()};
-  } catch (const occusg::Error& error) {
+  } catch (const std::exception& error) {
+    // Ours, or a difference of stamps beyond 32 bits of seconds.
     return {Kind::kUnusable, occusg::Pose::Identity(), error.what()};
   }
 }
@@ -50,7 +53,7 @@ std::optional<double> transformAge(const tf2::BufferCore& tf, const std::string&
   try {
     const ros::Time newest = tf.lookupTransform(target, source, ros::Time()).header.stamp;
     return newest.isZero() ? 0.0 : (now - newest).toSec();
-  } catch (const tf2::TransformException&) {
+  } catch (const std::exception&) {
     return std::nullopt;
   }
 }

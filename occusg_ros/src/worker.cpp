@@ -7,8 +7,12 @@
 
 namespace occusg_ros {
 
-Worker::Worker(std::chrono::milliseconds poll, std::function<Progress()> step)
-    : poll_(poll), step_(std::move(step)), thread_([this] { loop(); }) {}
+Worker::Worker(std::chrono::milliseconds poll, std::function<Progress()> step,
+               std::function<void(const Failure&)> on_failure)
+    : poll_(poll),
+      step_(std::move(step)),
+      on_failure_(std::move(on_failure)),
+      thread_([this] { loop(); }) {}
 
 Worker::~Worker() {
   {
@@ -70,12 +74,19 @@ void Worker::loop() {
         tasks_.pop_front();
       }
     }
-    if (task) {
-      task();
-      progress = Progress::kWorked;
-    } else {
-      progress = step_();
-    }
+    // A step that failed is not tried again at once.
+    progress = Progress::kIdle;
+    guarded(
+        "a step of the worker",
+        [&] {
+          if (task) {
+            task();
+            progress = Progress::kWorked;
+          } else {
+            progress = step_();
+          }
+        },
+        on_failure_);
   }
 }
 

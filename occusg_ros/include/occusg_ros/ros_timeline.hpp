@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "occusg_ros/stamp_gate.hpp"
+
 namespace occusg_ros {
 
 /// The clock of ROS and the stamps of messages as one time that never goes back: what the stages of
@@ -17,9 +19,10 @@ class RosTimeline {
   }
 
   /// Logical time of a message, never before what was asked for earlier: a finished map may be
-  /// older than the node.
+  /// older than the node. One stamp from the future does not stop time: the clock bounds it.
   double at(double stamp_s) {
-    last_s_ = std::max(last_s_, stamp_s + offset_s_);
+    const double latest_s = last_clock_s_ > 0.0 ? last_clock_s_ + kFuture_s : stamp_s;
+    last_s_ = std::max(last_s_, std::min(stamp_s, latest_s) + offset_s_);
     return last_s_;
   }
 

@@ -19,6 +19,12 @@ inline constexpr double kJumpBack_s = 1.0;
 /// Ahead of the clock by more than this is a clock that is not ours [s].
 inline constexpr double kFuture_s = 5.0;
 
+/// Whether a stamp is later than the clock by more than `kFuture_s`, or one that tf and ROS cannot
+/// calculate with: their differences are 32-bit seconds, and a field that was never set may hold
+/// 4294967295.
+/// @param now_s the clock; zero: there is none.
+[[nodiscard]] bool isFromTheFuture(double stamp_s, double now_s);
+
 /// Turns stamps, which may jump back, into logical time, which never does: the pipeline's stages
 /// take time as data that only moves on.
 class StampGate {

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <thread>
 
+#include "occusg_ros/guarded.hpp"
+
 namespace occusg_ros {
 
 /// One thread on which everything that touches a pipeline runs, so that no callback of ROS waits
@@ -18,8 +20,11 @@ class Worker {
   enum class Progress { kWorked, kIdle };
 
   /// @param step called again and again between tasks; after kIdle, once there is a reason again:
-  /// a task, a `wake`, or `poll` has passed. Tasks and `step` must not throw.
-  Worker(std::chrono::milliseconds poll, std::function<Progress()> step);
+  /// a task, a `wake`, or `poll` has passed.
+  /// @param on_failure hears what a task or `step` threw, on the worker's thread; the worker goes
+  /// on. Must not throw.
+  Worker(std::chrono::milliseconds poll, std::function<Progress()> step,
+         std::function<void(const Failure&)> on_failure);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   Worker(Worker&&) = delete;
@@ -39,6 +44,7 @@ class Worker {
 
   std::chrono::milliseconds poll_;
   std::function<Progress()> step_;
+  std::function<void(const Failure&)> on_failure_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Task> tasks_;

@@ -169,7 +169,7 @@ class CameraTest(unittest.TestCase):
         wait_until(lambda: self.diagnostics.stamp_s <= self.now, 20, "mapping's clock is back")
         self.robot.send_pose(self.step())
         # Before that, an image is older than all transforms there are.
-        wait_until(lambda: self.log.said("/occusg/mapping: ", "Clearing TF buffer"), 20,
+        wait_until(lambda: self.log.said("/occusg/mapping: ", "transforms of the time before it are forgotten"), 20,
                    "mapping's transforms are of the new time")
         self.drive(3)
         after, _ = self.settled()

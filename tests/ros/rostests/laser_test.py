@@ -15,9 +15,10 @@ from occusg.msg import (CurrentRoom, DetectionArray, DetectionInfo, RegionArray,
 from occusg.srv import (GetPath, GetRoomAt, GetSceneGraph, ListRooms, SaveMap, SegmentMap,
                         SetRoomLabel)
 from std_srvs.srv import SetBool, Trigger
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
-from robot import Diagnostics, Robot, two_rooms, wait_until
+from robot import Diagnostics, Robot, transform, two_rooms, wait_until
 
 
 class LaserTest(unittest.TestCase):
@@ -139,6 +140,25 @@ class LaserTest(unittest.TestCase):
         publisher.publish(other)
         self.diagnostics.wait_for("dropped: bad_image", 1)
         self.map_publisher.publish(two_rooms(rospy.Time.now()))
+        self.assertEqual(len(self.rooms()), 2)
+
+    def test_failure_mode_06_stamps_from_the_future_are_refused_and_time_goes_on(self):
+        future = rospy.Time(4294967295, 0)
+        before = self.diagnostics.count("dropped: bad_stamp")
+        publisher = rospy.Publisher("/map", OccupancyGrid, queue_size=10)
+        detections = rospy.Publisher("/occusg/detections", DetectionArray, queue_size=10)
+        self.robot.wait_for_subscribers(publisher, detections)
+        publisher.publish(two_rooms(future))
+        array = DetectionArray(detections=[DetectionInfo()])
+        array.header.stamp, array.header.frame_id = future, "map"
+        detections.publish(array)
+        tf = transform(future, "map", "from_the_future", (1.0, 2.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+        self.robot.tf_publisher.publish(TFMessage([tf]))
+        self.diagnostics.wait_for("dropped: bad_stamp", max(before, 0) + 2)
+        # Maintenance, which follows logical time, publishes the regions.
+        maintained = len(self.regions)
+        wait_until(lambda: len(self.regions) >= maintained + 2, 20, "maintenance, twice")
+        self.assertLess(self.regions[-1].header.stamp, rospy.Time.now() + rospy.Duration(6))
         self.assertEqual(len(self.rooms()), 2)
 
     def test_failure_mode_12_detections_are_refused_one_by_one_and_capped(self):

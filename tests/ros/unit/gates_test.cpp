@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
 #include <limits>
+#include <mutex>
+#include <new>
+#include <stdexcept>
 #include <vector>
 
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
 #include "occusg_ros/ros_timeline.hpp"
 #include "occusg_ros/stamp_gate.hpp"
+#include "occusg_ros/tf_input.hpp"
+#include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/worker.hpp"
 
 namespace occusg_ros {
@@ -128,10 +134,13 @@ TEST(PendingFrames, QueueKeepsTheOrderAndWaitsForItsFirst) {
 TEST(Worker, RunsTasksInOrderAndStepsBetweenThem) {
   std::promise<void> stepped;
   std::atomic<bool> once{false};
-  Worker worker(std::chrono::milliseconds(1), [&] {
-    if (!once.exchange(true)) stepped.set_value();
-    return Worker::Progress::kIdle;
-  });
+  Worker worker(
+      std::chrono::milliseconds(1),
+      [&] {
+        if (!once.exchange(true)) stepped.set_value();
+        return Worker::Progress::kIdle;
+      },
+      [](const Failure&) {});
   std::vector<int> order;
   worker.post([&] { order.push_back(1); });
   EXPECT_TRUE(worker.run([&] { order.push_back(2); }, std::chrono::seconds(10)));
@@ -142,7 +151,9 @@ TEST(Worker, RunsTasksInOrderAndStepsBetweenThem) {
 TEST(Worker, FailureMode20EndsWithTasksStillWaiting) {
   std::atomic<int> ran{0};
   {
-    Worker worker(std::chrono::milliseconds(1), [] { return Worker::Progress::kIdle; });
+    Worker worker(
+        std::chrono::milliseconds(1), [] { return Worker::Progress::kIdle; },
+        [](const Failure&) {});
     std::promise<void> begun;
     std::promise<void> go_on;
     worker.post([&] {
@@ -156,6 +167,89 @@ TEST(Worker, FailureMode20EndsWithTasksStillWaiting) {
     go_on.set_value();
   }
   EXPECT_GE(ran, 1);
+}
+
+TEST(Worker, FailureMode10WhatATaskOrAStepThrowsIsReportedAndTheWorkerGoesOn) {
+  std::mutex mutex;
+  std::vector<Failure> failures;
+  std::atomic<bool> step_throws{true};
+  Worker worker(
+      std::chrono::milliseconds(1),
+      [&]() -> Worker::Progress {
+        if (step_throws.exchange(false)) throw std::bad_alloc();
+        return Worker::Progress::kIdle;
+      },
+      [&](const Failure& failure) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        failures.push_back(failure);
+      });
+  worker.post([] { throw std::runtime_error("Duration is out of dual 32-bit range"); });
+  worker.post([] { throw 7; });
+  int ran = 0;
+  while (step_throws) ASSERT_TRUE(worker.run([&] { ++ran; }, std::chrono::seconds(10)));
+  ASSERT_TRUE(worker.run([&] { ++ran; }, std::chrono::seconds(10)));
+  EXPECT_GE(ran, 1);
+  const std::lock_guard<std::mutex> lock(mutex);
+  ASSERT_EQ(failures.size(), 3U);
+  const auto out_of_memory =
+      std::count_if(failures.begin(), failures.end(),
+                    [](const Failure& failure) { return failure.is_out_of_memory; });
+  EXPECT_EQ(out_of_memory, 1);
+  for (const Failure& failure : failures) EXPECT_FALSE(failure.problem.empty());
+}
+
+TEST(StampGate, FailureMode06StampThatWasNeverSetIsRefusedWithoutAClockToo) {
+  EXPECT_TRUE(isFromTheFuture(4294967295.0, 0.0));
+  EXPECT_TRUE(isFromTheFuture(106.0, 100.0));
+  EXPECT_FALSE(isFromTheFuture(104.0, 100.0));
+  EXPECT_FALSE(isFromTheFuture(104.0, 0.0));
+  StampGate gate;
+  EXPECT_EQ(gate.take(4294967295.0, 0.0).verdict, StampVerdict::kFuture);
+  EXPECT_EQ(gate.take(10.0, 0.0).verdict, StampVerdict::kNewer);
+}
+
+TEST(RosTimeline, FailureMode06OneStampFromTheFutureDoesNotStopTime) {
+  RosTimeline timeline;
+  EXPECT_DOUBLE_EQ(timeline.now(100.0), 100.0);
+  EXPECT_LE(timeline.at(4294967295.0), 105.0);
+  EXPECT_DOUBLE_EQ(timeline.now(110.0), 110.0);
+}
+
+TEST(TfInput, FailureMode04TransformsThatCannotBeAreNamed) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time(100.0);
+  transform.header.frame_id = "map";
+  transform.child_frame_id = "base_link";
+  transform.transform.rotation.w = 1.0;
+  const ros::Time now(100.0);
+  EXPECT_EQ(transformProblem(transform, now), "");
+  auto future = transform;
+  future.header.stamp = ros::Time(4294967295U, 0);
+  EXPECT_NE(transformProblem(future, now).find("future"), std::string::npos);
+  EXPECT_NE(transformProblem(future, ros::Time()).find("future"), std::string::npos);
+  auto nowhere = transform;
+  nowhere.transform.translation.x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(transformProblem(nowhere, now).find("not finite"), std::string::npos);
+  auto no_rotation = transform;
+  no_rotation.transform.rotation.w = 0.0;
+  EXPECT_NE(transformProblem(no_rotation, now).find("quaternion"), std::string::npos);
+  auto nameless = transform;
+  nameless.child_frame_id.clear();
+  EXPECT_NE(transformProblem(nameless, now).find("no name"), std::string::npos);
+}
+
+TEST(PoseAt, FailureMode06StampBeyondWhatTfCalculatesWithIsAnAnswer) {
+  tf2::BufferCore tf;
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time(100.0);
+  transform.header.frame_id = "map";
+  transform.child_frame_id = "base_link";
+  transform.transform.rotation.w = 1.0;
+  tf.setTransform(transform, "test");
+  transform.header.stamp = ros::Time(4294967295U, 0);
+  EXPECT_NE(poseAt(tf, "map", "base_link", transform.header.stamp).kind, PoseAnswer::Kind::kFound);
+  tf.setTransform(transform, "test");
+  EXPECT_NE(poseAt(tf, "map", "base_link", ros::Time(200.0)).kind, PoseAnswer::Kind::kFound);
 }
 
 }  // namespace
