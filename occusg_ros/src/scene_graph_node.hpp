@@ -116,8 +116,6 @@ class SceneGraphNode {
   void saveFromTimeToTime();
   void noteSave(const std::string& folder, const std::string& problem);
   void load(const std::string& name);
-  /// The stamp of a session, or the clock for one from the future, which would stop time.
-  [[nodiscard]] double credibleStamp(double saved_s) const;
   void resume();
   [[nodiscard]] std::string folderOf(const std::string& name) const;
 

@@ -14,7 +14,6 @@
 #include "occusg/io/session_repair.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "occusg_ros/saved_folder.hpp"
-#include "occusg_ros/stamp_gate.hpp"
 #include "scene_graph_node.hpp"
 
 namespace occusg_ros {
@@ -95,14 +94,6 @@ void SceneGraphNode::noteSave(const std::string& folder, const std::string& prob
   status_.saves.note(folder, problem, steadySeconds());
 }
 
-double SceneGraphNode::credibleStamp(double saved_s) const {
-  const double wall_s = ros::WallTime::now().toSec();
-  if (!isFromTheFuture(saved_s, wall_s)) return saved_s;
-  ROS_WARN_STREAM(handles_.name << ": the session's stamp of " << saved_s
-                                << " s is in the future; it goes on from now");
-  return ros::Time::now().toSec();
-}
-
 void SceneGraphNode::load(const std::string& name) {
   occusg::Session session = occusg::loadSession(folderOf(name) + kSessionFolder, config_.occupancy);
   repair(session.state, folderOf(name));
@@ -112,7 +103,7 @@ void SceneGraphNode::load(const std::string& name) {
   rooms_ = std::move(loaded);
   last_pose_ = session.state.T_map_camera;
   last_maintenance_s_.reset();
-  timeline_.goOnAfter(credibleStamp(session.state.stamp_s), ros::Time::now().toSec());
+  timeline_.goOnAfter(session.state.stamp_s, ros::Time::now().toSec());
   // Without a node that maps, what is there is the map of the session too.
   if (settings_.mapping_node.empty() && !layer_.cells.empty()) {
     rooms_->update(layer_, layer_.cells.box(), last_pose_, timeline_.last());
