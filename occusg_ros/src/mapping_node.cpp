@@ -44,6 +44,8 @@ MappingNode::MappingNode(const NodeHandles& handles)
       live_(settings_.live),
       map_(std::make_unique<occusg::MapPipeline>(config_)),
       pose_gate_(settings_.live.pose_gate),
+      generations_(expandedFolder(settings_.save_folder, handles.inputs.getNamespace()), runId(),
+                   handles.name),
       saver_(settings_.autosave_period_s, started_s_,
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),

@@ -30,6 +30,7 @@
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
 #include "occusg_ros/save_status.hpp"
+#include "occusg_ros/saved_generations.hpp"
 #include "occusg_ros/saver.hpp"
 #include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/tf_input.hpp"
@@ -148,6 +149,7 @@ class MappingNode {
   double last_voxels_s_ = 0.0;  ///< Steady clock [s].
   double last_status_s_ = 0.0;  ///< Steady clock [s].
   std::size_t frames_saved_ = 0;
+  SavedGenerations generations_;
   Saver saver_;
 
   tf2_ros::Buffer tf_;

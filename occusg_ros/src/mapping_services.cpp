@@ -10,6 +10,7 @@
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
+#include "occusg/io/session_folder.hpp"
 #include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
@@ -17,13 +18,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{30000};
 constexpr const char* kMapFile = "map.ot";
-
-// A session that `occusg run` saved has its map inside.
-std::string mapFileIn(const std::string& folder) {
-  const std::string in_session = folder + "/session/" + kMapFile;
-  const std::string own = folder + "/" + kMapFile;
-  return !std::filesystem::exists(own) && std::filesystem::exists(in_session) ? in_session : own;
-}
 
 }  // namespace
 
@@ -53,6 +47,7 @@ Saver::Writing MappingNode::writingTo(const std::string& name) const {
   return [this, name,
           tree = occusg::toOctomap(map_->occupancyMap().tree(), occusg::OctomapEncoding::kFull),
           layer = occusg::toMapFiles(map_->freeSpace(), "free_space.pgm")] {
+    if (name == kDefaultSaveName) generations_.makeRoom();
     const occusg::OutputFolder files(folderOf(name));
     files.write(kMapFile, tree);
     files.write("free_space.pgm", layer.pgm);
@@ -88,13 +83,23 @@ void MappingNode::load(const std::string& name) {
   showNewMap();
 }
 
+// The rooms beside the map are checked too: the other node begins anew when they cannot be used,
+// and so must this one.
 void MappingNode::resume() {
-  if (settings_.resume.empty()) return;
+  const std::string name = generations_.hasCrashed() ? kDefaultSaveName : settings_.resume;
+  if (name.empty()) return;
+  if (generations_.hasCrashed() && !std::filesystem::exists(folderOf(name)))
+    return;  // killed before it saved
+  const std::string folder = folderOf(name);
   try {
-    load(settings_.resume);
-    ROS_INFO_STREAM(handles_.name << ": goes on from the map " << folderOf(settings_.resume));
-  } catch (const occusg::Error& error) {
-    ROS_WARN_STREAM(handles_.name << ": begins with an empty map: " << error.what());
+    if (std::filesystem::exists(sessionIn(folder)))
+      (void)occusg::loadSession(sessionIn(folder), config_.occupancy);
+    load(name);
+    ROS_INFO_STREAM(handles_.name << ": goes on from the map " << folder);
+  } catch (const std::exception& error) {
+    const std::string aside = generations_.setAside(name);
+    ROS_WARN_STREAM(handles_.name << ": begins with an empty map: " << error.what()
+                                  << (aside.empty() ? "" : "; it is kept as " + aside));
   }
 }
 

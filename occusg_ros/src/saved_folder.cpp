@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg_ros/saved_folder.hpp"
 
+#include <ros/param.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <filesystem>
 
 #include "occusg/error.hpp"
 #include "occusg_ros/topic_names.hpp"
@@ -49,6 +52,20 @@ std::string expandedFolder(const std::string& folder, const std::string& node_na
                          "give an absolute path");
   }
   return home + folder.substr(1);
+}
+
+std::string sessionIn(const std::string& folder) { return folder + "/session"; }
+
+std::string mapFileIn(const std::string& folder) {
+  const std::string in_session = sessionIn(folder) + "/map.ot";
+  const std::string own = folder + "/map.ot";
+  return !std::filesystem::exists(own) && std::filesystem::exists(in_session) ? in_session : own;
+}
+
+std::string runId() {
+  std::string id;
+  (void)ros::param::get("/run_id", id);
+  return id;
 }
 
 }  // namespace occusg_ros

@@ -38,6 +38,8 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
       last_graph_(boost::make_shared<occusg::SceneGraphStamped>()),
       layout_(settings_.layout),
       rooms_(std::make_unique<occusg::RoomPipeline>(config_)),
+      generations_(expandedFolder(settings_.save_folder, handles.inputs.getNamespace()), runId(),
+                   handles.name),
       saver_(settings_.autosave_period_s, started_s_,
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),

@@ -40,6 +40,7 @@
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/ros_timeline.hpp"
 #include "occusg_ros/save_status.hpp"
+#include "occusg_ros/saved_generations.hpp"
 #include "occusg_ros/saver.hpp"
 #include "occusg_ros/tf_input.hpp"
 #include "occusg_ros/tf_poses.hpp"
@@ -177,6 +178,7 @@ class SceneGraphNode {
   occusg::Pose last_pose_ = occusg::Pose::Identity();
   double last_status_s_ = 0.0;  ///< Steady clock [s].
   std::uint64_t sequence_saved_ = 0;
+  SavedGenerations generations_;
   Saver saver_;
 
   tf2_ros::Buffer tf_;

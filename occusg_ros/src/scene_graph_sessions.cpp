@@ -4,11 +4,13 @@
 #include <ros/time.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "occusg/error.hpp"
+#include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/session_folder.hpp"
 #include "occusg/io/session_repair.hpp"
@@ -18,8 +20,6 @@
 
 namespace occusg_ros {
 namespace {
-
-constexpr const char* kSessionFolder = "/session";
 
 // The node that maps writes these beside.
 bool isOfTheLayer(const std::string& name) {
@@ -67,8 +67,9 @@ Saver::Writing SceneGraphNode::writingTo(const std::string& name) const {
   const bool has_layer = settings_.mapping_node.empty();
   return [this, name, has_layer, state = std::shared_ptr<const occusg::SessionState>(state),
           layer = layer_, times = rooms_->times(), floor_z_m = config_.graph.rooms.floor_z_m] {
+    if (name == kDefaultSaveName) generations_.makeRoom();
     const occusg::OutputFolder files(folderOf(name));
-    occusg::saveSession(files.path() + kSessionFolder, *state);
+    occusg::saveSession(sessionIn(files.path()), *state);
     const occusg::Findings findings{layer, state->graph.graph, floor_z_m, state->scene};
     for (const occusg::ResultWriter& file : occusg::resultWriters(findings, times))
       if (has_layer || !isOfTheLayer(file.name)) (void)files.write(file.name, file.write);
@@ -95,8 +96,13 @@ void SceneGraphNode::noteSave(const std::string& folder, const std::string& prob
 }
 
 void SceneGraphNode::load(const std::string& name) {
-  occusg::Session session = occusg::loadSession(folderOf(name) + kSessionFolder, config_.occupancy);
-  repair(session.state, folderOf(name));
+  const std::string folder = folderOf(name);
+  occusg::Session session = occusg::loadSession(sessionIn(folder), config_.occupancy);
+  repair(session.state, folder);
+  // The node that maps loads it after this: a map that cannot be used leaves the rooms as they are
+  // too.
+  if (!settings_.mapping_node.empty())
+    (void)occusg::readOctomap(mapFileIn(folder), config_.occupancy);
   // Into a fresh one: a session that cannot be used leaves the live graph as it is.
   auto loaded = std::make_unique<occusg::RoomPipeline>(config_);
   loaded->resumeFrom(session.state);
@@ -118,13 +124,18 @@ void SceneGraphNode::load(const std::string& name) {
 }
 
 void SceneGraphNode::resume() {
-  if (settings_.resume.empty()) return;
+  const std::string name = generations_.hasCrashed() ? kDefaultSaveName : settings_.resume;
+  if (name.empty()) return;
+  if (generations_.hasCrashed() && !std::filesystem::exists(folderOf(name)))
+    return;  // killed before it saved
   try {
-    load(settings_.resume);
-    ROS_INFO_STREAM(handles_.name << ": goes on from the session " << folderOf(settings_.resume)
-                                  << " with " << lastGraph()->rooms.size() << " rooms");
-  } catch (const occusg::Error& error) {
-    ROS_WARN_STREAM(handles_.name << ": begins without rooms: " << error.what());
+    load(name);
+    ROS_INFO_STREAM(handles_.name << ": goes on from the session " << folderOf(name) << " with "
+                                  << lastGraph()->rooms.size() << " rooms");
+  } catch (const std::exception& error) {
+    const std::string aside = generations_.setAside(name);
+    ROS_WARN_STREAM(handles_.name << ": begins without rooms: " << error.what()
+                                  << (aside.empty() ? "" : "; it is kept as " + aside));
   }
 }
 

@@ -19,4 +19,13 @@ inline constexpr const char* kDefaultSaveName = "last";
 [[nodiscard]] std::string expandedFolder(const std::string& folder,
                                          const std::string& node_namespace = "/");
 
+/// The file of the 3D map in a folder that was saved; a session that `occusg run` saved has it
+/// inside.
+[[nodiscard]] std::string mapFileIn(const std::string& folder);
+/// The folder of the session in a folder that was saved.
+[[nodiscard]] std::string sessionIn(const std::string& folder);
+
+/// roslaunch's name of this run; empty without roslaunch.
+[[nodiscard]] std::string runId();
+
 }  // namespace occusg_ros

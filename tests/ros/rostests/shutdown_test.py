@@ -190,6 +190,51 @@ class ShutdownTest(unittest.TestCase):
         self.end(resumed, signal.SIGINT)
         self.end(mapping, signal.SIGINT)
 
+    def test_failure_mode_17_and_19_what_cannot_be_resumed_is_kept_under_another_name(self):
+        folder = tempfile.mkdtemp(prefix="occusg_refused_test_")
+        arguments = ("_save_folder:=" + folder, "_autosave_period_s:=0.5", "free_space:=/map", "_mapping_node:=")
+        process = self.start("scene_graph", "to_be_refused", *arguments)
+        self.feed_map(Diagnostics("to_be_refused: scene graph"), 1.0, 2.0)
+        session = os.path.join(folder, "last", "session", "session.json")
+        wait_until(lambda: os.path.exists(session), 30, "the session is saved")
+        self.end(process, signal.SIGINT)
+        with open(session, "w") as file:
+            file.write("damaged")
+
+        process = self.start("scene_graph", "begins_anew", "_resume:=last", *arguments)
+        self.feed_map(Diagnostics("begins_anew: scene graph"), 1.0, 2.0)
+        wait_until(lambda: os.path.exists(session), 30, "another session is saved")
+        self.end(process, signal.SIGINT)
+        refused = [name for name in os.listdir(folder) if name.startswith("last.refused-")]
+        self.assertEqual(len(refused), 1, os.listdir(folder))
+        with open(os.path.join(folder, refused[0], "session", "session.json")) as file:
+            self.assertEqual(file.read(), "damaged")
+
+    def test_failure_mode_19_killed_manager_comes_back_and_goes_on(self):
+        folder = tempfile.mkdtemp(prefix="occusg_manager_test_")
+        launch = subprocess.Popen([
+            "roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map", "mapping:=false",
+            "save_folder:=" + folder, "autosave_period_s:=0.5"])
+        log = RosLog()
+        diagnostics = Diagnostics("occusg/scene_graph: scene graph")
+        self.feed_map(diagnostics, 1.0, 2.0)
+        session = os.path.join(folder, "last", "session", "session.json")
+        wait_until(lambda: os.path.exists(session), 30, "the session is saved")
+        # The loader notices that its manager is gone once the two have exchanged heartbeats.
+        heartbeats = []
+        rospy.Subscriber("/occusg/manager/bond", rospy.AnyMsg, heartbeats.append)
+        wait_until(lambda: len(heartbeats) >= 6, 30, "the nodelet and its manager know each other")
+        subprocess.check_call(["pkill", "-KILL", "-P", str(launch.pid), "-f", "nodelet manager"])
+        wait_until(lambda: log.said("goes on from the session", folder), 60, "the graph goes on")
+        rooms = rospy.ServiceProxy("/occusg/list_rooms", ListRooms)
+        rospy.wait_for_service("/occusg/list_rooms", 30)
+
+        def two_are_found():
+            self.robot.send_pose(rospy.Time.now(), 1.0, 2.0)
+            return len(rooms(0.0).rooms) == 2
+        wait_until(two_are_found, 30, "both rooms are there again")
+        self.end(launch, signal.SIGINT)
+
     @staticmethod
     def saved(folder, name):
         with open(os.path.join(folder, "last", name)) as file:
