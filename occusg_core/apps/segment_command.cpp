@@ -159,9 +159,10 @@ std::string labelsYaml(const GridMap& map) {
 /// Says what was assumed; @throws Error instead when `strict`.
 void tellAssumptions(const GridMap& map, const std::string& path, bool strict) {
   for (const std::string& assumption : map.assumptions) {
-    if (strict)
+    if (strict) {
       throw refuse(path, "leaves something open: " + assumption,
                    "without --strict this is assumed");
+    }
     std::cerr << "occusg: " << path << ": " << assumption << '\n';
   }
 }

@@ -98,9 +98,10 @@ void SavedGenerations::makeRoom() const {
   try {
     if (fs::exists(last) && firstLine(last / kLifeMark) != run_id_) {
       fs::remove_all(generation(folder, kKept));
-      for (int number = kKept; number > 1; --number)
+      for (int number = kKept; number > 1; --number) {
         if (fs::exists(generation(folder, number - 1)))
           fs::rename(generation(folder, number - 1), generation(folder, number));
+      }
       fs::rename(last, generation(folder, 1));
     }
     if (!fs::exists(last)) {

@@ -94,9 +94,10 @@ class Reader {
       numbers[i] = *number;
     }
     constexpr double kFullTurn_rad = 6.3;
-    if (std::abs(numbers[2]) > kFullTurn_rad)
+    if (std::abs(numbers[2]) > kFullTurn_rad) {
       throw wrong("origin", "turned by " + toText(numbers[2]) + " rad",
                   "a yaw within a full turn is needed");
+    }
     return numbers;
   }
 

@@ -104,7 +104,7 @@ Header headerOf(const std::string& bytes, std::size_t max_pixels, const std::str
 }
 
 cv::Mat emptyPicture(const Header& header) {
-  return {header.height, header.width, CV_8UC(header.channels())};
+  return cv::Mat(header.height, header.width, CV_8UC(header.channels()));
 }
 
 cv::Mat binaryBits(const std::string& bytes, const Header& header, const std::string& path) {

@@ -51,11 +51,14 @@ std::optional<std::vector<std::string>> filesOfOtherRuns(const std::string& fold
   const json* format = optionalMember(document, "format", where);
   if (format == nullptr || *format != kResultFormat) return std::nullopt;
   std::vector<std::string> others;
+  const std::string where_name = where + ": name";
   for (const json& file : arrayOf(member(document, "files", where), where + ": files")) {
-    const std::string name = stringOf(member(file, "name", where), where + ": name");
+    const std::string name = stringOf(member(file, "name", where), where_name);
     if (fs::path(name).filename() != name)
       throw refuse(where, "names a file in another folder", "plain file names are needed");
-    if (!isAsMarked(fs::path(folder) / name, file, where + " " + name)) others.push_back(name);
+    std::string where_file = where;
+    where_file.append(" ").append(name);
+    if (!isAsMarked(fs::path(folder) / name, file, where_file)) others.push_back(name);
   }
   return others;
 }

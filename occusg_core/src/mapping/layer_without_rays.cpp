@@ -45,9 +45,10 @@ void addLeaf(const octomap::OcTreeKey& first, int side, OccupiedVoxels& voxels) 
   }
   voxels.bottom = std::min(voxels.bottom, bottom);
   voxels.top = std::max(voxels.top, bottom + side);
-  for (int y = 0; y < side; ++y)
+  for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x)
       voxels.runs.push_back({{corner.x + x, corner.y + y}, bottom, bottom + side});
+  }
 }
 
 OccupiedVoxels occupiedVoxels(const octomap::OcTree& tree) {
@@ -102,9 +103,10 @@ void freeEnclosed(Grid<std::int8_t>& cells) {
       open.push_back(next);
     }
   }
-  for (int y = cells.box().min.y; y < cells.box().max.y; ++y)
+  for (int y = cells.box().min.y; y < cells.box().max.y; ++y) {
     for (int x = cells.box().min.x; x < cells.box().max.x; ++x)
       if (cells.at({x, y}) == kUnknown && outside.at({x, y}) == 0) cells.at({x, y}) = kFree;
+  }
 }
 
 }  // namespace

@@ -157,6 +157,7 @@ void writeResultFiles(const OutputFolder& folder, const std::vector<ResultWriter
 
 void writeResultFiles(const OutputFolder& folder, const std::vector<ResultFile>& files) {
   std::vector<ResultWriter> writers;
+  writers.reserve(files.size());
   for (const ResultFile& file : files)
     writers.push_back({file.name, [&file](std::ostream& out) { out << file.bytes; }});
   writeResultFiles(folder, writers);
