@@ -43,12 +43,13 @@ cv::Mat viewOf(const sensor_msgs::Image& image, int type, const std::string& whe
 
 }  // namespace
 
-occusg::DepthImage toDepthImage(const sensor_msgs::Image& image, const std::string& where) {
+occusg::DepthImage toDepthImage(const sensor_msgs::Image& image, const std::string& where,
+                                double units_per_m) {
   if (image.encoding == enc::TYPE_16UC1 || image.encoding == enc::MONO16)
-    return {viewOf(image, CV_16UC1, where), 1000.0};
+    return {viewOf(image, CV_16UC1, where), units_per_m};
   if (image.encoding == enc::TYPE_32FC1) return {viewOf(image, CV_32FC1, where), 1.0};
   throw refuse(where, "its encoding is '" + image.encoding.substr(0, 40) + "'",
-               "a depth image is 32FC1 in metres or 16UC1 in millimetres");
+               "a depth image is 32FC1 in metres or 16UC1");
 }
 
 cv::Mat toColorImage(const sensor_msgs::Image& image, const std::string& where) {

@@ -325,8 +325,10 @@ void MappingNode::process(const WaitingImage& waiting) {
   try {
     const double start_s = steadySeconds();
     const occusg::MapCounts before = map_->counts();
-    map_->process({waiting.logical_s, toDepthImage(*waiting.image, image_subscriber_.getTopic()),
-                   *camera, answer.T_target_source});
+    map_->process(
+        {waiting.logical_s,
+         toDepthImage(*waiting.image, image_subscriber_.getTopic(), settings_.depth_units_per_m),
+         *camera, answer.T_target_source});
     frame_times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
     if (!reachedMap(before)) {
       noteStatus(steadySeconds() - waiting.arrived_s);

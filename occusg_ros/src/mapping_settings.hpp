@@ -27,6 +27,7 @@ struct MappingSettings {
   std::string depth_image;
   std::string depth_info;
   std::string image_transport = "raw";
+  double depth_units_per_m = 1000.0;
   int queue_size = 10;
   double tf_cache_s = 10.0;
   Overload overload = Overload::kSkip;
@@ -58,6 +59,10 @@ struct MappingSettings {
           {"depth_info", "", "Topic of their camera_info, likewise; empty: depth/camera_info."}),
       textParameter(settings.image_transport,
                     {"image_transport", "", "How images travel: raw, compressedDepth, ..."}),
+      numberParameter(
+          settings.depth_units_per_m, {1.0, 1e6},
+          {"depth_units_per_m", "1/m",
+           "Value of one metre in 16-bit depth images: 1000 by REP 118; 4000 for an L515."}),
       countParameter(settings.queue_size, {1, 10000},
                      {"queue_size", "images", "Images that wait at most."}),
       numberParameter(settings.tf_cache_s, {1.0, 3600.0},

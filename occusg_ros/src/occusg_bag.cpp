@@ -43,6 +43,7 @@ struct Options {
   std::string depth_topic;
   std::string info_topic;
   std::string map_frame = "map";
+  double depth_units_per_m = occusg_ros::kMillimetresPerMetre;
 };
 
 bool parse(int argc, char** argv, Options& options) {
@@ -56,10 +57,16 @@ bool parse(int argc, char** argv, Options& options) {
       "depth", po::value(&options.depth_topic),
       "topic of the depth images; needed when the bag has several")(
       "info", po::value(&options.info_topic), "topic of their camera_info; else beside them")(
-      "map-frame", po::value(&options.map_frame), "frame of the map");
+      "map-frame", po::value(&options.map_frame), "frame of the map")(
+      "depth-scale", po::value(&options.depth_units_per_m),
+      "value of one metre in 16-bit depth images: 1000, or 4000 for an L515, 5000 for TUM's");
   if (!occusg_ros::parseToolOptions(argc, argv, named, options.bag)) return false;
   if (options.bag.empty() || options.output.empty())
     throw occusg::Error("name a bag and, with -o, a folder for the results; see --help");
+  if (!(options.depth_units_per_m >= 1.0 && options.depth_units_per_m <= 1e6)) {
+    throw occusg::refuse("--depth-scale", "is " + std::to_string(options.depth_units_per_m),
+                         "a number from 1 to 1000000 is needed");
+  }
   return true;
 }
 
@@ -178,9 +185,10 @@ void BagRun::processWaiting(Patience patience) {
 
 void BagRun::process(const Waiting& waiting, const occusg::Pose& pose) {
   try {
-    pipeline_.process({waiting.image->header.stamp.toSec(),
-                       occusg_ros::toDepthImage(*waiting.image, options_.depth_topic),
-                       waiting.camera.value(), pose});
+    pipeline_.process(
+        {waiting.image->header.stamp.toSec(),
+         occusg_ros::toDepthImage(*waiting.image, options_.depth_topic, options_.depth_units_per_m),
+         waiting.camera.value(), pose});
     health_.noteUsed();
   } catch (const occusg::Error& error) {
     health_.noteDropped(Drop::kImage, error.what());

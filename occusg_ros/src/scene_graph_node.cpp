@@ -162,7 +162,7 @@ void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
   }
   if (refusesStamp(grid->header.stamp, grid_subscriber_.getTopic())) return;
   const std::string& frame = grid->header.frame_id;
-  if (frame != settings_.map_frame) {
+  if (frameName(frame) != frameName(settings_.map_frame)) {
     const std::string problem = grid_subscriber_.getTopic() + ": its frame is '" + frame +
                                 "'; ~map_frame is '" + settings_.map_frame + "'";
     health_.noteDropped(Drop::kImage, problem);
@@ -224,7 +224,7 @@ void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detectio
   }
   ReceivedDetections received = toDetections(*detections);
   const std::string& frame = detections->header.frame_id;
-  if (frame != settings_.map_frame) {
+  if (frameName(frame) != frameName(settings_.map_frame)) {
     received = {{},
                 detections->detections.size(),
                 "their frame is '" + frame + "'; ~map_frame is '" + settings_.map_frame + "'"};
@@ -331,7 +331,7 @@ PoseAnswer SceneGraphNode::robotPose(const ros::Time& stamp) const {
   }
   try {
     const occusg::Pose T_odom_robot = toPose(odometry->pose.pose, odometry_subscriber_.getTopic());
-    if (odometry->header.frame_id != settings_.map_frame) {
+    if (frameName(odometry->header.frame_id) != frameName(settings_.map_frame)) {
       answer = poseAt(tf_, settings_.map_frame, odometry->header.frame_id, ros::Time());
       if (answer.kind != PoseAnswer::Kind::kFound) return answer;
     }

@@ -167,9 +167,10 @@ Worker::Progress SemanticsNode::step() {
 void SemanticsNode::process(const Views& views, const occusg::Pose& T_map_camera) {
   try {
     const double start_s = steadySeconds();
-    const occusg::DepthFrame frame{views.depth->header.stamp.toSec(),
-                                   toDepthImage(*views.depth, "depth/image_rect"),
-                                   toCameraModel(*views.info, "depth/camera_info"), T_map_camera};
+    const occusg::DepthFrame frame{
+        views.depth->header.stamp.toSec(),
+        toDepthImage(*views.depth, "depth/image_rect", settings_.depth_units_per_m),
+        toCameraModel(*views.info, "depth/camera_info"), T_map_camera};
     const occusg::InstanceMasks masks =
         segmenter_->segment(toColorImage(*views.color, "rgb/image_rect_color"));
     const occusg::DetectionResult result = builder_.build(masks, frame);

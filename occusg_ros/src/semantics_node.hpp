@@ -41,6 +41,7 @@ struct SemanticsSettings {
   std::string rgb_image;
   std::string model;
   std::string classes;
+  double depth_units_per_m = 1000.0;
   double tf_timeout_s = 0.5;
 };
 
@@ -58,6 +59,8 @@ struct SemanticsSettings {
           {"rgb_image", "", "Topic of the colour images, likewise; empty: rgb/image_rect_color."}),
       textParameter(settings.model, {"model", "", "ONNX file of a YOLO segmentation model."}),
       textParameter(settings.classes, {"classes", "", "Names of its classes, one a line."}),
+      occusg::numberParameter(settings.depth_units_per_m, {1.0, 1e6},
+                              {"depth_units_per_m", "1/m", "As of the mapping node."}),
       occusg::numberParameter(settings.tf_timeout_s, {0.0, 60.0},
                               {"tf_timeout_s", "s", "How long images wait for their transform."})};
 }

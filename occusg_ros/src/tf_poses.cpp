@@ -27,8 +27,14 @@ bool isTooOld(const tf2::BufferCore& tf, const std::string& target, const std::s
 
 }  // namespace
 
-PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target, const std::string& source,
-                  const ros::Time& stamp) {
+std::string frameName(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target_frame,
+                  const std::string& source_frame, const ros::Time& stamp) {
+  const std::string target = frameName(target_frame);
+  const std::string source = frameName(source_frame);
   const std::string name = "transform " + target + " <- " + source;
   if (source.empty())
     return {Kind::kUnusable, occusg::Pose::Identity(), name + ": the frame has no name"};
@@ -51,7 +57,8 @@ PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target, const st
 std::optional<double> transformAge(const tf2::BufferCore& tf, const std::string& target,
                                    const std::string& source, const ros::Time& now) {
   try {
-    const ros::Time newest = tf.lookupTransform(target, source, ros::Time()).header.stamp;
+    const ros::Time newest =
+        tf.lookupTransform(frameName(target), frameName(source), ros::Time()).header.stamp;
     return newest.isZero() ? 0.0 : (now - newest).toSec();
   } catch (const std::exception&) {
     return std::nullopt;

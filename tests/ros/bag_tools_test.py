@@ -10,6 +10,7 @@ import subprocess
 import sys
 import unittest
 
+import numpy
 import rosbag
 
 OCCUSG, PLAY, BAG, RECORDING, WORK = sys.argv[1:6]
@@ -76,6 +77,43 @@ class BagToolsTest(unittest.TestCase):
             self.assertEqual([room[key] for room in of_bag["rooms"]],
                              [room[key] for room in of_recording["rooms"]])
         self.assertEqual(of_bag["doors"], of_recording["doors"])
+
+    def changed_bag(self, name, change):
+        """The bag with its messages changed; the path."""
+        path = os.path.join(WORK, name)
+        with rosbag.Bag(self.bag) as bag, rosbag.Bag(path, "w") as changed:
+            for topic, message, stamp in bag.read_messages():
+                change(topic, message)
+                changed.write(topic, message, stamp)
+        return path
+
+    def assert_gives_the_same_rooms(self, out, *command):
+        ended = run(BAG, *command, "-o", os.path.join(WORK, out))
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        if not os.path.exists(os.path.join(WORK, "of_bag")):
+            self.assertEqual(run(BAG, self.bag, "-o", os.path.join(WORK, "of_bag")).returncode, 0)
+        rooms = json.loads(read(out, "rooms.json"))["rooms"]
+        self.assertEqual(rooms, json.loads(read("of_bag", "rooms.json"))["rooms"])
+
+    def test_names_of_frames_with_a_slash_are_those_without(self):
+        def with_slashes(topic, message):
+            if topic in ("/tf", "/tf_static"):
+                for transform in message.transforms:
+                    transform.header.frame_id = "/" + transform.header.frame_id
+                    transform.child_frame_id = "/" + transform.child_frame_id
+            elif hasattr(message, "header"):
+                message.header.frame_id = "/" + message.header.frame_id
+        self.assert_gives_the_same_rooms("of_slashes", self.changed_bag("slashes.bag", with_slashes))
+
+    def test_depth_in_quarter_millimetres_needs_its_scale(self):
+        def in_quarters(topic, message):
+            if topic == "/camera/depth/image_rect":
+                self.assertEqual(message.encoding, "16UC1")
+                depth = numpy.frombuffer(message.data, dtype=numpy.uint16)
+                message.data = numpy.where(depth == 65535, 65535, depth * 4).astype(numpy.uint16).tobytes()
+        path = self.changed_bag("quarters.bag", in_quarters)
+        self.assert_gives_the_same_rooms("of_quarters", path, "--depth-scale", "4000")
+        self.assertIn("--depth-scale", self.refused(BAG, path, "-o", os.path.join(WORK, "never"), "--depth-scale", "0"))
 
     def test_images_without_a_pose_are_counted_and_fail_the_run(self):
         ended = run(BAG, self.bag, "-o", os.path.join(WORK, "lost"), "--map-frame", "nowhere")

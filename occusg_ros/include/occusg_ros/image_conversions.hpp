@@ -12,13 +12,18 @@
 
 namespace occusg_ros {
 
+inline constexpr double kMillimetresPerMetre = 1000.0;
+
 /// The depth image in `image` (REP 118: 32FC1 in metres or 16UC1 in millimetres), without a copy:
 /// its pixels are those of the message, which must outlive it.
 /// @param where opens every sentence; the topic.
+/// @param units_per_m value of one metre in a 16UC1 image; 1000 but for cameras that keep to no REP
+/// (L515: 4000).
 /// @throws occusg::Error, before anything is allocated, when encoding, byte order, size, step or
 /// the amount of data do not fit.
 [[nodiscard]] occusg::DepthImage toDepthImage(const sensor_msgs::Image& image,
-                                              const std::string& where);
+                                              const std::string& where,
+                                              double units_per_m = kMillimetresPerMetre);
 
 /// The colour image in `image` as CV_8UC3, BGR; encodings bgr8, rgb8, bgra8, rgba8 and mono8.
 /// @throws occusg::Error as `toDepthImage`.

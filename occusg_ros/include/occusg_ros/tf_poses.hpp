@@ -12,6 +12,10 @@
 
 namespace occusg_ros {
 
+/// The name of a frame as tf2 keeps it: bags and drivers from before ROS Hydro write a slash before
+/// it.
+[[nodiscard]] std::string frameName(const std::string& frame);
+
 /// The pose of a frame, or why there is none.
 struct PoseAnswer {
   enum class Kind {

@@ -238,6 +238,20 @@ TEST(TfInput, FailureMode04TransformsThatCannotBeAreNamed) {
   EXPECT_NE(transformProblem(nameless, now).find("no name"), std::string::npos);
 }
 
+TEST(PoseAt, SlashBeforeTheNameOfAFrameIsNoPartOfIt) {
+  tf2::BufferCore tf;
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time(100.0);
+  transform.header.frame_id = "/world";
+  transform.child_frame_id = "/openni_rgb_optical_frame";
+  transform.transform.rotation.w = 1.0;
+  tf.setTransform(transform, "test");
+  EXPECT_EQ(poseAt(tf, "world", "/openni_rgb_optical_frame", ros::Time(100.0)).kind,
+            PoseAnswer::Kind::kFound);
+  EXPECT_EQ(poseAt(tf, "/world", "openni_rgb_optical_frame", ros::Time(100.0)).kind,
+            PoseAnswer::Kind::kFound);
+}
+
 TEST(PoseAt, FailureMode06StampBeyondWhatTfCalculatesWithIsAnAnswer) {
   tf2::BufferCore tf;
   geometry_msgs::TransformStamped transform;
