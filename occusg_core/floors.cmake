@@ -73,6 +73,7 @@ occusg_add_floor(regions
     dude_trace.cpp
     label_regions.cpp
     lintels.cpp
+    no_rooms.cpp
     passages.cpp
     region_tracker.cpp
     squared_distance.cpp

@@ -19,6 +19,7 @@
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "occusg/pipeline/room_labels_file.hpp"
+#include "occusg/regions/no_rooms.hpp"
 #include "progress_bar.hpp"
 #include "room_table.hpp"
 #include "wall_clock.hpp"
@@ -322,6 +323,10 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   });
 
   printRooms(roomsOf(pipeline, sequence.scene()));
+  if (pipeline.graph().nodes(NodeType::kRoom).empty()) {
+    std::cerr << "occusg: no rooms: "
+              << whyNoRooms(pipeline.freeSpace(), smallestRegion_m2(pipeline.config())) << '\n';
+  }
   printTimes(times);
   printCounts(pipeline.counts());
   if (outcome.frames_known > 0)

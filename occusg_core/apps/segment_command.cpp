@@ -18,6 +18,7 @@
 #include "occusg/io/rooms_geojson.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
+#include "occusg/regions/no_rooms.hpp"
 #include "output_file.hpp"
 #include "room_table.hpp"
 
@@ -205,6 +206,9 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
   if (drawing) drawing->write(drawingPng(*decomposer, decomposition, map, config));
 
   printRooms(rooms);
+  if (rooms.rooms.empty())
+    std::cerr << "occusg: no rooms: " << whyNoRooms(map.free_space, smallestRegion_m2(config))
+              << '\n';
   printTimes(times);
   std::cout << "\nResults are in " << folder.path() << '\n';
   return kFine;

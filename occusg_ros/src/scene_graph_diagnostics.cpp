@@ -36,9 +36,12 @@ void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& statu
     status.summary(Level::WARN, "no free space yet");
   } else if (counts.used == 0) {
     status.summary(Level::ERROR, "no free space could be used: " + counts.last_problem);
+  } else if (!paused_ && graph.rooms == 0) {
+    status.summary(Level::WARN, "no rooms: " + graph.why_no_rooms);
   } else {
     status.summary(Level::OK, paused_ ? "paused" : std::to_string(graph.rooms) + " rooms");
   }
+  if (!graph.assumption.empty()) status.add("assumed", graph.assumption);
   status.add("maps received", counts.received);
   status.add("maps used", counts.used);
   status.add("maps used without their overhead gaps", graph.maps_without_gaps);

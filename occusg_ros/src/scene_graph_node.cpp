@@ -11,6 +11,7 @@
 
 #include "occusg/error.hpp"
 #include "occusg/pipeline/config_file.hpp"
+#include "occusg/regions/no_rooms.hpp"
 #include "occusg_ros/gap_conversions.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
@@ -449,9 +450,13 @@ void SceneGraphNode::noteStatus() {
       times.emplace_back(nameOf(stage), rooms_->durations().summary(stage));
     last_status_s_ = now_s;
   }
+  const std::size_t rooms = rooms_->graph().nodes(NodeType::kRoom).size();
+  const std::string why_none =
+      rooms == 0 ? occusg::whyNoRooms(layer_, occusg::smallestRegion_m2(config_)) : "";
   const std::lock_guard<std::mutex> lock(mutex_);
   status_.counts = rooms_->counts();
-  status_.rooms = rooms_->graph().nodes(NodeType::kRoom).size();
+  status_.rooms = rooms;
+  status_.why_no_rooms = why_none;
   status_.nodes = rooms_->graph().nodeCount();
   status_.edges = rooms_->graph().edgeCount();
   if (!times.empty()) status_.times = std::move(times);

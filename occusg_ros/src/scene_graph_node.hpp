@@ -76,6 +76,7 @@ class SceneGraphNode {
     std::vector<std::pair<std::string, occusg::StageSummary>> times;
     std::size_t maps_without_gaps = 0;  ///< Used so, though somebody publishes gaps.
     std::size_t rooms = 0;
+    std::string why_no_rooms;  ///< Empty while there are rooms.
     std::size_t nodes = 0;
     std::size_t edges = 0;
     SaveStatus saves{steadySeconds()};

@@ -386,6 +386,11 @@ std::vector<Parameter> parametersOf(PipelineConfig& config) {
   return list;
 }
 
+double smallestRegion_m2(const PipelineConfig& config) {
+  return config.decomposer == DecomposerKind::kDude ? config.dude.min_region_area_m2
+                                                    : config.constriction.min_region_area_m2;
+}
+
 std::unique_ptr<Decomposer> makeDecomposer(const PipelineConfig& config) {
   switch (config.decomposer) {
     case DecomposerKind::kDude:

@@ -50,6 +50,8 @@ struct PipelineConfig {
 
 /// The decomposer `config` asks for.
 [[nodiscard]] std::unique_ptr<Decomposer> makeDecomposer(const PipelineConfig& config);
+/// The smallest region the configured decomposer gives [m2].
+[[nodiscard]] double smallestRegion_m2(const PipelineConfig& config);
 
 /// The configuration the paper describes; where the paper is silent, its authors' shipped one.
 [[nodiscard]] PipelineConfig paperConfig();
