@@ -14,39 +14,53 @@ if(OCCUSG_RELOCATABLE_INSTALL)
   set(CATKIN_INSTALL_INTO_PREFIX_ROOT FALSE)
 endif()
 
-# What the ROS part needs: catkin's name and the Debian package; Ubuntu's are ros-noetic-<catkin's name>.
-set(OCCUSG_ROS_NEEDS
-  diagnostic_updater:libdiagnostic-updater-dev
-  dynamic_reconfigure:libdynamic-reconfigure-config-init-mutex-dev
-  geometry_msgs:libgeometry-msgs-dev
-  image_transport:libimage-transport-dev
-  map_msgs:libmap-msgs-dev
-  message_filters:libmessage-filters-dev
-  nav_msgs:libnav-msgs-dev
-  nodelet:libnodeletlib-dev
-  pluginlib:pluginlib-dev
-  rosbag:librosbag-dev
-  roscpp:libroscpp-dev
-  rosgraph_msgs:libros-rosgraph-msgs-dev
-  sensor_msgs:libsensor-msgs-dev
-  std_msgs:libstd-msgs-dev
-  std_srvs:libstd-srvs-dev
-  tf2:libtf2-dev
-  tf2_msgs:libtf2-msgs-dev
-  tf2_ros:libtf2-ros-dev
-  visualization_msgs:libvisualization-msgs-dev)
-set(OCCUSG_ROS_PACKAGES "")
+# What the ROS part needs, and Debian's package of it; Ubuntu's are ros-noetic-<catkin's name>.
+set(debian_catkin catkin)
+set(debian_message_generation ros-message-generation)
+set(debian_diagnostic_updater libdiagnostic-updater-dev)
+set(debian_dynamic_reconfigure libdynamic-reconfigure-config-init-mutex-dev)
+set(debian_geometry_msgs libgeometry-msgs-dev)
+set(debian_image_transport libimage-transport-dev)
+set(debian_map_msgs libmap-msgs-dev)
+set(debian_message_filters libmessage-filters-dev)
+set(debian_nav_msgs libnav-msgs-dev)
+set(debian_nodelet libnodeletlib-dev)
+set(debian_pluginlib pluginlib-dev)
+set(debian_rosbag librosbag-dev)
+set(debian_roscpp libroscpp-dev)
+set(debian_rosgraph_msgs libros-rosgraph-msgs-dev)
+set(debian_sensor_msgs libsensor-msgs-dev)
+set(debian_std_msgs libstd-msgs-dev)
+set(debian_std_srvs libstd-srvs-dev)
+set(debian_tf2 libtf2-dev)
+set(debian_tf2_msgs libtf2-msgs-dev)
+set(debian_tf2_ros libtf2-ros-dev)
+set(debian_visualization_msgs libvisualization-msgs-dev)
+set(OCCUSG_ROS_PACKAGES
+  diagnostic_updater
+  dynamic_reconfigure
+  geometry_msgs
+  image_transport
+  map_msgs
+  message_filters
+  nav_msgs
+  nodelet
+  pluginlib
+  rosbag
+  roscpp
+  rosgraph_msgs
+  sensor_msgs
+  std_msgs
+  std_srvs
+  tf2
+  tf2_msgs
+  tf2_ros
+  visualization_msgs)
 set(missing "")
-foreach(need catkin:catkin message_generation:ros-message-generation ${OCCUSG_ROS_NEEDS})
-  string(REGEX MATCH "^([^:]+):(.+)$" matched ${need})
-  set(package ${CMAKE_MATCH_1})
-  set(debian_package ${CMAKE_MATCH_2})
+foreach(package catkin message_generation ${OCCUSG_ROS_PACKAGES})
   find_package(${package} QUIET)
   if(NOT ${package}_FOUND)
-    list(APPEND missing "${package} (${debian_package})")
-  endif()
-  if(NOT package MATCHES "^(catkin|message_generation)$")
-    list(APPEND OCCUSG_ROS_PACKAGES ${package})
+    list(APPEND missing "${package} (${debian_${package}})")
   endif()
 endforeach()
 if(missing)

@@ -206,9 +206,10 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
   if (drawing) drawing->write(drawingPng(*decomposer, decomposition, map, config));
 
   printRooms(rooms);
-  if (rooms.rooms.empty())
+  if (rooms.rooms.empty()) {
     std::cerr << "occusg: no rooms: " << whyNoRooms(map.free_space, smallestRegion_m2(config))
               << '\n';
+  }
   printTimes(times);
   std::cout << "\nResults are in " << folder.path() << '\n';
   return kFine;

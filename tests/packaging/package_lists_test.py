@@ -49,9 +49,9 @@ def main():
     noetic = listed(folder, "core", "ros-noetic", "tests", "tests-ros-noetic")
     faults = []
     setup = (root / "occusg_ros" / "catkin_setup.cmake").read_text()
-    needs = re.findall(r"^  (\w+):([\w-]+)", setup, re.MULTILINE)
+    needs = re.findall(r"^set\(debian_(\w+) ([\w-]+)\)$", setup, re.MULTILINE)
     if len(needs) < 15:
-        faults.append("occusg_ros/catkin_setup.cmake: its list OCCUSG_ROS_NEEDS is not found")
+        faults.append("occusg_ros/catkin_setup.cmake: its names of Debian packages are not found")
     for name, package in needs:
         ubuntu = "ros-noetic-" + name.replace("_", "-")
         for wanted, packages in ((package, debian), (ubuntu, noetic)):
