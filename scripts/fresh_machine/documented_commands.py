@@ -141,7 +141,7 @@ def launch(command, log_path, while_up=()):
     port = free_port()
     is_demo = "demo.launch" in command
     with open(log_path, "w", encoding="utf-8") as log:
-        process = start("xvfb-run -a -s '-screen 0 1280x800x24 +extension GLX' " + command, log, port)
+        process = start(command, log, port)
         try:
             if is_demo:
                 wait_for(lambda: rooms(port) >= ROOMS_OF_DEMO, 300, process, log_path, f"{ROOMS_OF_DEMO} rooms")
@@ -161,6 +161,14 @@ def launch(command, log_path, while_up=()):
         raise Failure(f"a node died, or roslaunch ended with {code}:\n{tail(log_path)}")
 
 
+def virtual_screen():
+    """Starts an X server without a screen and makes it the display of all commands."""
+    server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "1280x800x24", "+extension", "GLX"],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True, text=True)
+    os.environ["DISPLAY"] = ":" + server.stdout.readline().strip()
+    return server
+
+
 def main():
     commands = documented()
     if sys.argv[1:] == ["--list"]:
@@ -168,6 +176,7 @@ def main():
         return 0
     os.makedirs(WORK, exist_ok=True)
     subprocess.run(["convert", "out/demo/free_space.pgm", WORK + "/plan.png"], check=True)
+    screen = virtual_screen()
     asking = [command for command in commands if command.startswith(("rosservice", "rostopic"))]
     failures = 0
     core = None
@@ -189,6 +198,7 @@ def main():
         if core is not None:
             interrupt(core)
             core = None
+    screen.terminate()
     print(f"{len(commands)} documented commands, {failures} failed.")
     return 1 if failures else 0
 
