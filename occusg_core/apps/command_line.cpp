@@ -4,9 +4,81 @@
 #include <iostream>
 
 #include "occusg/pipeline/config_file.hpp"
+#include "occusg/pipeline/parameter.hpp"
 
 namespace occusg::apps {
 namespace po = boost::program_options;
+namespace {
+
+constexpr std::size_t kLettersPerTypo = 3;
+
+/// "--name", as the user writes it.
+std::string dashed(const std::string& name) {
+  return name.rfind("--", 0) == 0 ? name : "--" + name;
+}
+
+std::string sentenceOn(const po::unknown_option& error, const po::options_description& options) {
+  std::vector<std::string> names;
+  names.reserve(options.options().size());
+  for (const auto& option : options.options()) names.push_back(dashed(option->long_name()));
+  const std::string unknown = error.get_option_name();
+  const std::string nearest = nearestName(dashed(unknown), names);
+  std::string sentence = "unknown option '" + unknown + "'";
+  if (kLettersPerTypo * editDistance(dashed(unknown), nearest) <= unknown.size())
+    sentence += "; did you mean '" + nearest + "'?";
+  return sentence;
+}
+
+/// What the option is for, from its help.
+std::string purposeOf(const std::string& name, const po::options_description& options) {
+  const po::option_description* option = options.find_nothrow(name, false);
+  return option == nullptr ? std::string() : option->description();
+}
+
+/// An option's name without its dashes.
+std::string bare(std::string name) {
+  name.erase(0, name.find_first_not_of('-'));
+  return name;
+}
+
+void read(po::variables_map& values, const std::vector<std::string>& arguments,
+          const po::options_description& all,
+          const po::positional_options_description& positionals) {
+  namespace style = po::command_line_style;
+  po::store(po::command_line_parser(arguments)
+                .options(all)
+                .positional(positionals)
+                .style(style::unix_style & ~style::allow_guessing)
+                .run(),
+            values);
+}
+
+/// @throws UsageError with a sentence for each way in which arguments can be wrong.
+template <typename Step>
+void explained(const Step& step, const CommandHelp& help, const po::options_description& options) {
+  const std::string form = "the form is '" + help.synopsis + "'";
+  try {
+    step();
+  } catch (const po::too_many_positional_options_error&) {
+    throw UsageError("there are too many arguments; " + form);
+  } catch (const po::unknown_option& error) {
+    throw UsageError(sentenceOn(error, options));
+  } catch (const po::required_option& error) {
+    const std::string name = bare(error.get_option_name());
+    throw UsageError("--" + name + " is missing (" + purposeOf(name, options) + "); " + form);
+  } catch (const po::multiple_occurrences& error) {
+    throw UsageError(error.get_option_name() + " is given more than once; give it once");
+  } catch (const po::invalid_command_line_syntax& error) {
+    const std::string name = bare(error.get_option_name());
+    if (error.kind() == po::invalid_syntax::missing_parameter)
+      throw UsageError("--" + name + " needs a value: " + purposeOf(name, options));
+    throw UsageError(error.what());
+  } catch (const po::error& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
 
 po::variables_map parse(const std::vector<std::string>& arguments, const CommandHelp& help,
                         po::options_description options) {
@@ -24,30 +96,18 @@ po::variables_map parse(const std::vector<std::string>& arguments, const Command
   }
 
   po::variables_map values;
-  try {
-    namespace style = po::command_line_style;
-    po::store(po::command_line_parser(arguments)
-                  .options(all)
-                  .positional(positionals)
-                  .style(style::unix_style & ~style::allow_guessing)
-                  .run(),
-              values);
-    if (values.count("help") > 0) {
-      std::cout << "Usage: " << help.synopsis << "\n\n" << help.description << "\n" << options;
-      return {};
-    }
-    po::notify(values);
-  } catch (const po::too_many_positional_options_error&) {
-    throw UsageError("too many arguments: the form is '" + help.synopsis + "'");
-  } catch (const po::error& error) {
-    throw UsageError(error.what());
+  explained([&] { read(values, arguments, all, positionals); }, help, options);
+  if (values.count("help") > 0) {
+    std::cout << "Usage: " << help.synopsis << "\n\n" << help.description << "\n" << options;
+    return {};
   }
   std::vector<std::string> required = help.positionals;
   if (!help.repeated.empty()) required.push_back(help.repeated);
   for (const std::string& name : required) {
     if (values.count(name) == 0)
-      throw UsageError(name + " is missing: the form is '" + help.synopsis + "'");
+      throw UsageError(name + " is missing; the form is '" + help.synopsis + "'");
   }
+  explained([&] { po::notify(values); }, help, options);
   return values;
 }
 
@@ -58,7 +118,9 @@ void addOutputOption(po::options_description& options) {
 
 void addConfigOption(po::options_description& options) {
   options.add_options()("config", po::value<std::string>()->default_value("default"),
-                        "'default', 'paper' or a YAML file (see 'occusg config --print')");
+                        "'default', 'paper' or a YAML file (see 'occusg config --print')")(
+      "param", po::value<std::vector<std::string>>()->composing(),
+      "KEY=VALUE: sets one parameter, over --config; can be repeated");
 }
 
 void addDecomposerOption(po::options_description& options) {
@@ -70,6 +132,21 @@ PipelineConfig overridden(const PipelineConfig& config, const po::variables_map&
   const auto text = given<std::string>(values, option);
   if (!text) return config;
   return configFromYaml(key + ": " + *text + "\n", "--" + option, config);
+}
+
+PipelineConfig givenConfig(const po::variables_map& values) {
+  PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  if (values.count("param") == 0) return config;
+  for (const std::string& text : values["param"].as<std::vector<std::string>>()) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      throw UsageError("--param is '" + text +
+                       "'; KEY=VALUE is needed, as in regions.decomposer=dude");
+    }
+    config = configFromYaml(text.substr(0, equals) + ": " + text.substr(equals + 1) + "\n",
+                            "--param " + text, config);
+  }
+  return config;
 }
 
 }  // namespace occusg::apps

@@ -40,7 +40,7 @@ struct CommandHelp {
 
 /// Adds --output, required.
 void addOutputOption(boost::program_options::options_description& options);
-/// Adds --config; its default is "default".
+/// Adds --config, whose default is "default", and --param.
 void addConfigOption(boost::program_options::options_description& options);
 /// Adds --decomposer.
 void addDecomposerOption(boost::program_options::options_description& options);
@@ -57,6 +57,10 @@ template <typename T>
 [[nodiscard]] PipelineConfig overridden(const PipelineConfig& config,
                                         const boost::program_options::variables_map& values,
                                         const std::string& option, const std::string& key);
+
+/// The configuration that --config names, with every --param KEY=VALUE set in it.
+/// @throws UsageError for a --param that is not KEY=VALUE; Error as `configFromYaml`.
+[[nodiscard]] PipelineConfig givenConfig(const boost::program_options::variables_map& values);
 
 /// The subcommands; arguments without the program's and the command's name.
 ExitCode runCommand(const std::vector<std::string>& arguments);

@@ -9,6 +9,7 @@
 #include "command_line.hpp"
 #include "occusg/error.hpp"
 #include "occusg/pipeline/parameter.hpp"
+#include "version.hpp"
 
 namespace occusg::apps {
 namespace {
@@ -40,41 +41,52 @@ Commands:
   session check|repair DIR  tell whether a saved session can be used, make it so
   config --print            write all parameters with units, ranges and the paper's values
 
-Each command explains itself: occusg COMMAND --help
+Each command explains itself: occusg help COMMAND
 Exit codes: 0 fine, 1 the run failed, 2 wrong usage.
 
 Options:
   -h, --help                show this text
-  --version                 show the version
+  --version                 show the version, the commit and the kind of build
 )";
+
+Command commandNamed(const std::string& name) {
+  const auto known = commands();
+  const auto command = known.find(name);
+  if (command != known.end()) return command->second;
+  std::vector<std::string> names;
+  names.reserve(known.size());
+  for (const auto& entry : known) names.push_back(entry.first);
+  throw UsageError("unknown command '" + name + "'; did you mean '" + nearestName(name, names) +
+                   "'?");
+}
 
 ExitCode dispatch(std::vector<std::string> arguments) {
   if (arguments.empty()) throw UsageError("no command given");
   const std::string name = arguments.front();
   arguments.erase(arguments.begin());
   if (name == "--version") {
-    std::cout << "occusg " << OCCUSG_VERSION << '\n';
+    std::cout << versionText() << '\n';
     return kFine;
   }
+  if (name == "help" && !arguments.empty()) return commandNamed(arguments.front())({"--help"});
   if (name == "--help" || name == "-h" || name == "help") {
     std::cout << kHelp;
     return kFine;
   }
-  const auto known = commands();
-  const auto command = known.find(name);
-  if (command != known.end()) return command->second(arguments);
-  std::vector<std::string> names;
-  names.reserve(known.size());
-  for (const auto& entry : known) names.push_back(entry.first);
-  throw UsageError("unknown command '" + name + "', did you mean '" + nearestName(name, names) +
-                   "'?");
+  return commandNamed(name)(arguments);
+}
+
+/// The page of help that the arguments need: that of their command, where they name one.
+std::string helpFor(const std::vector<std::string>& arguments) {
+  const bool has_command = !arguments.empty() && commands().count(arguments.front()) > 0;
+  return has_command ? "occusg help " + arguments.front() : "occusg --help";
 }
 
 int guarded(const std::vector<std::string>& arguments) {
   try {
     return dispatch(arguments);
   } catch (const UsageError& error) {
-    std::cerr << "occusg: " << error.what() << " (see occusg --help)\n";
+    std::cerr << "occusg: " << error.what() << " (see '" << helpFor(arguments) << "')\n";
     return kWrongUsage;
   } catch (const Error& error) {
     std::cerr << "occusg: " << error.what() << '\n';

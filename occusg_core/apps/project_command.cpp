@@ -80,7 +80,7 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
   const po::variables_map values = parse(arguments, projectHelp(), projectOptions());
   if (helpWasPrinted(values)) return kFine;
 
-  const PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  const PipelineConfig config = givenConfig(values);
   const std::string path = values["MAP"].as<std::string>();
   const OctomapHeader header = readOctomapHeader(path);
   std::vector<std::string> assumptions;

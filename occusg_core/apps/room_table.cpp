@@ -36,6 +36,9 @@ void printTimes(const StageTimes& times) {
               << static_cast<double>(times.memoryBytes(stage)) / (1024.0 * 1024.0) << '\n';
   }
   std::cout << "  (memory of 'total' is the peak of the whole process)\n";
+#ifndef NDEBUG
+  std::cout << "  (this is a Debug build: a Release build is several times faster)\n";
+#endif
 }
 
 void setPeakMemory(StageTimes& times) {

@@ -60,6 +60,7 @@ CommandHelp runHelp() {
       "and still writes everything.\n\n"
       "  occusg run examples/apartment -o out/apartment\n"
       "  occusg run recording -o out/recording --config paper\n"
+      "  occusg run recording -o out/start --frames 0:500 --param perception.depth.stride=2\n"
       "  occusg run monday -o out/monday --save-session building\n"
       "  occusg run tuesday -o out/tuesday --resume building --save-session building\n"
       "  occusg run second_visit -o out/second --map out/first/map.ot\n",
@@ -84,13 +85,15 @@ po::options_description runOptions() {
                    "folder to save what the system knows to; a session there is replaced")(
       "schema", po::value<std::string>(),
       "occusg-1.0: also write scene_graph.occusg-1.0.json, the published system's schema")(
-      "strict", "fail on the first frame that cannot be used");
+      "frames", po::value<std::string>(),
+      "A:B: only the frames from A up to, not including, B, counted from 0; either may be left "
+      "out")("strict", "fail on the first frame that cannot be used");
   return options;
 }
 
 PipelineConfig configFrom(const po::variables_map& values) {
-  PipelineConfig config = overridden(loadConfig(values["config"].as<std::string>()), values,
-                                     "decomposer", "regions.decomposer");
+  PipelineConfig config =
+      overridden(givenConfig(values), values, "decomposer", "regions.decomposer");
   if (const auto table = given<std::string>(values, "room-labels"))
     config.graph.room_labels = readRoomLabels(*table);
   return config;
@@ -131,12 +134,48 @@ Schemas schemasIn(const po::variables_map& values) {
   throw UsageError("--schema is '" + *name + "'; allowed is occusg-1.0");
 }
 
+/// Which frames of a recording are read: from `first` up to, not including, `end`.
+struct FrameRange {
+  std::size_t first = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] std::size_t size() const { return end - first; }
+};
+
+/// A whole number; `fallback` for an empty text; empty when the text is neither.
+std::optional<std::size_t> frameNumberIn(const std::string& text, std::size_t fallback) {
+  if (text.empty()) return fallback;
+  constexpr std::size_t kMostDigits = 18;
+  const bool is_number =
+      text.size() <= kMostDigits && text.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number) return std::nullopt;
+  return static_cast<std::size_t>(std::stoull(text));
+}
+
+/// @throws UsageError for a --frames that is not A:B; Error when it names no frame of the `count`.
+FrameRange framesIn(const po::variables_map& values, std::size_t count, const std::string& scene) {
+  const auto text = given<std::string>(values, "frames");
+  if (!text) return {0, count};
+  const std::size_t colon = text->find(':');
+  if (colon == std::string::npos) throw UsageError("--frames is '" + *text + "'; A:B is needed");
+  const auto first = frameNumberIn(text->substr(0, colon), 0);
+  const auto end = frameNumberIn(text->substr(colon + 1), count);
+  if (!first || !end)
+    throw UsageError("--frames is '" + *text + "'; A:B with whole numbers is needed");
+  if (*first >= *end || *first >= count) {
+    throw refuse(scene, "has no frame in --frames " + *text,
+                 "frames 0 to " + std::to_string(count - 1) + " are there");
+  }
+  return {*first, std::min(*end, count)};
+}
+
 /// @param known_until_s stamp of the last frame of the session that goes on, if one does.
 RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeline& pipeline,
-                      BadFrames bad_frames, const std::optional<double>& known_until_s) {
+                      const FrameRange& frames, BadFrames bad_frames,
+                      const std::optional<double>& known_until_s) {
   RunOutcome outcome;
-  ProgressBar progress(sequence.scene(), sequence.size());
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
+  ProgressBar progress(sequence.scene(), frames.size());
+  for (std::size_t i = frames.first; i < frames.end; ++i) {
     outcome.interrupted = interrupted();
     if (outcome.interrupted) break;
     ++outcome.frames_read;
@@ -151,7 +190,7 @@ RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeli
       if (bad_frames == BadFrames::kFail) throw;
       outcome.bad_frames.emplace_back(error.what());
     }
-    progress.update(i + 1);
+    progress.update(i - frames.first + 1);
   }
   return outcome;
 }
@@ -294,6 +333,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
 
   const PipelineConfig config = configFrom(values);
   const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
+  const FrameRange frames = framesIn(values, sequence.size(), sequence.scene());
   const Schemas schemas = schemasIn(values);
   Pipeline pipeline(config);
   const std::optional<double> known_until_s = goOn(pipeline, values);
@@ -303,7 +343,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const OutputFolder folder(values["output"].as<std::string>());
   catchInterrupts();
   const RunOutcome outcome =
-      processAll(sequence, source, pipeline,
+      processAll(sequence, source, pipeline, frames,
                  values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip, known_until_s);
   failWhenMostFramesAreBad(outcome, sequence.scene());
   failWhenNoFrameIsNew(outcome, sequence.scene());
@@ -335,7 +375,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   for (const std::string& problem : problems) std::cerr << "occusg: " << problem << '\n';
   if (problems.empty()) std::cout << "\nResults are in " << folder.path() << '\n';
   if (!outcome.interrupted) return problems.empty() ? kFine : kFailed;
-  std::cerr << "occusg: interrupted after " << outcome.frames_read << " of " << sequence.size()
+  std::cerr << "occusg: interrupted after " << outcome.frames_read << " of " << frames.size()
             << " frames; the results hold what was found until then\n";
   return kFailed;
 }

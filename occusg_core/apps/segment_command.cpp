@@ -99,7 +99,7 @@ MapReaderOptions readerOptionsFrom(const po::variables_map& values) {
 }
 
 PipelineConfig configFrom(const po::variables_map& values) {
-  PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  PipelineConfig config = givenConfig(values);
   const bool wants_dude = values.count("d-thr") + values.count("debug-drawing") > 0;
   if (wants_dude) config.decomposer = DecomposerKind::kDude;
   config = overridden(config, values, "decomposer", "regions.decomposer");

@@ -73,7 +73,7 @@ ExitCode sessionCommand(const std::vector<std::string>& arguments) {
   if (action != "check" && action != "repair")
     throw UsageError("'" + action + "' is nothing to do with a session; allowed are check, repair");
 
-  const PipelineConfig config = loadConfig(values["config"].as<std::string>());
+  const PipelineConfig config = givenConfig(values);
   const RepairedSession read =
       readForRepair(folder, mapConfigFor(folder, config), latestCredibleStamp());
   for (const std::string& repair : read.repairs) std::cout << repair << '\n';

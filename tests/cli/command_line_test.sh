@@ -17,12 +17,20 @@ for command in run segment project show eval config; do
   grep -q "Usage: occusg $command" out.txt || fail "$command --help does not show its form"
 done
 expect "version" 0 "" --version
-grep -qE '^occusg [0-9]+\.[0-9]+\.[0-9]+$' out.txt || fail "version"
+grep -qE '^occusg [0-9]+\.[0-9]+\.[0-9]+(, commit [0-9a-f]+(-dirty)?)?, (Release|Debug) build$' out.txt || fail "version"
+for command in run segment project show eval config; do
+  expect "help $command" 0 "" help $command
+  grep -q "Usage: occusg $command" out.txt || fail "help $command does not show its form"
+done
+expect "help for a misspelt command" 2 "did you mean 'segment'" help segmnt
 expect "no command" 2 "no command given"
 expect "misspelt command" 2 "did you mean 'eval'" evl
 expect "run without a sequence" 2 "SEQUENCE is missing" run -o out
-expect "run without an output" 2 "--output" run short
-expect "unknown option" 2 "--fast" run short -o out --fast
+expect "run without an output" 2 "--output is missing (folder for the results" run short
+expect "unknown option" 2 "unknown option '--fast' (see 'occusg help run')" run short -o out --fast
+expect "misspelt option" 2 "did you mean '--config'?" run short -o out --confg paper
+expect "option without its value" 2 "--config needs a value: 'default', 'paper' or a YAML file" run short -o out --config
+expect "option given twice" 2 "is given more than once" run short -o out -o other
 expect "too many arguments" 2 "too many arguments" run short short -o out
 expect "config without --print" 2 "--print" config
 expect "unknown alignment" 2 "centroid" eval short short --align sideways
@@ -37,6 +45,28 @@ expect "unknown key" 1 "typo.yaml:3: unknown key 'perception.depth.strid'; did y
   run short -o out --config typo.yaml
 expect "unknown decomposer" 1 "allowed is" run short -o out --decomposer magic
 [ ! -e out ] || fail "an output folder was made although the configuration was wrong"
+
+expect "--param" 0 "" config --print --param regions.decomposer=dude --param perception.depth.stride=2
+grep -q 'decomposer: dude' out.txt || fail "--param did not set a name"
+grep -q 'stride: 2' out.txt || fail "the second --param did not set a number"
+expect "--param without a value" 2 "KEY=VALUE is needed" run short -o out --param regions.decomposer
+expect "--param of an unknown key" 1 "did you mean 'perception.depth.stride'" \
+  run short -o out --param perception.depth.strid=2
+expect "--frames that is no range" 2 "A:B is needed" run short -o out --frames 7
+expect "--frames beyond the recording" 1 "frames 0 to 23 are there" run short -o out --frames 24:
+[ ! -e out ] || fail "an output folder was made for frames that are not there"
+expect "--frames" 0 "" run short -o some --frames 4:9
+grep -q "  5 frames, " out.txt || fail "--frames did not read five frames"
+
+# --- Completion, as bash asks for it
+completion=$(dirname "${BASH_SOURCE[0]}")/../../occusg_core/apps/occusg.bash-completion
+complete_words() { # WORDS...: what completes the last word
+  bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _occusg "$1"; echo "${COMPREPLY[*]}"' \
+    bash "$completion" "$occusg" "$@"
+}
+[ "$(complete_words seg)" = segment ] || fail "completion of a command"
+[ "$(complete_words help ru)" = run ] || fail "completion of help"
+[ "$(complete_words run short --dec)" = --decomposer ] || fail "completion of an option"
 
 # --- A good run, twice: all files, identical results
 expect "run" 0 "" run short -o one

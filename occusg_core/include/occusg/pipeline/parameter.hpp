@@ -76,6 +76,9 @@ template <typename Enum>
 /// Shortest decimal text that reads back as `value`; ".inf" and "-.inf" as in YAML.
 [[nodiscard]] std::string shortestText(double value);
 
+/// How many bytes have to be added, removed or replaced to make `b` of `a` (Levenshtein 1966).
+[[nodiscard]] std::size_t editDistance(const std::string& a, const std::string& b);
+
 /// The name in `names` with the fewest edits from `name`; empty when there are none.
 [[nodiscard]] std::string nearestName(const std::string& name,
                                       const std::vector<std::string>& names);
