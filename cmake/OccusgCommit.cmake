@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Writes a header that defines OCCUSG_COMMIT as the commit of the sources, empty when they are no git clone.
-# Usage: cmake -DSOURCE=FOLDER -DHEADER=FILE -P OccusgCommit.cmake
+# Writes a source file that defines occusg::apps::kCommit, the commit of the sources; empty when they are no git clone.
+# Usage: cmake -DSOURCE=FOLDER -DRESULT=FILE -P OccusgCommit.cmake
 set(commit "")
 find_program(git git)
 if(git AND EXISTS "${SOURCE}/.git")
@@ -8,11 +8,15 @@ if(git AND EXISTS "${SOURCE}/.git")
     COMMAND "${git}" -C "${SOURCE}" describe --always --dirty --exclude *
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 endif()
-set(text "#pragma once\n#define OCCUSG_COMMIT \"${commit}\"\n")
+set(text "namespace occusg::apps {
+extern const char* const kCommit;
+const char* const kCommit = \"${commit}\";
+}  // namespace occusg::apps
+")
 set(known "")
-if(EXISTS "${HEADER}")
-  file(READ "${HEADER}" known)
+if(EXISTS "${RESULT}")
+  file(READ "${RESULT}" known)
 endif()
 if(NOT text STREQUAL known)
-  file(WRITE "${HEADER}" "${text}")
+  file(WRITE "${RESULT}" "${text}")
 endif()

@@ -59,7 +59,7 @@ expect "--frames" 0 "" run short -o some --frames 4:9
 grep -q "  5 frames, " out.txt || fail "--frames did not read five frames"
 
 # --- Completion, as bash asks for it
-completion=$(dirname "${BASH_SOURCE[0]}")/../../occusg_core/apps/occusg.bash-completion
+completion=$(dirname "${BASH_SOURCE[0]}")/../../occusg_core/apps/completion/occusg
 complete_words() { # WORDS...: what completes the last word
   bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _occusg "$1"; echo "${COMPREPLY[*]}"' \
     bash "$completion" "$occusg" "$@"
