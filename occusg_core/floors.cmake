@@ -18,6 +18,7 @@ occusg_add_floor(perception
     euclidean_cluster.cpp
     label_image.cpp
     letterbox.cpp
+    map_orientation.cpp
     onnx_segmenter.cpp
     onnx_signature.cpp
     pose_gate.cpp
@@ -114,6 +115,7 @@ occusg_add_floor(graph
 occusg_add_floor(io
   SOURCES
     canvas.cpp
+    color_image.cpp
     decomposition_drawing.cpp
     external_rooms.cpp
     file_bytes.cpp
@@ -147,6 +149,13 @@ occusg_add_floor(io
     polygon_json.cpp
     portable_map.cpp
     result_index.cpp
+    recordings/camera_file.cpp
+    recordings/folder_names.cpp
+    recordings/numbered_recordings.cpp
+    recordings/recording.cpp
+    recordings/rtabmap_recording.cpp
+    recordings/trajectory_file.cpp
+    recordings/tum_recording.cpp
     room_color.cpp
     rooms_file.cpp
     rooms_geojson.cpp

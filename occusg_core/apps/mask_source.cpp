@@ -4,6 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "occusg/error.hpp"
+#include "occusg/io/color_image.hpp"
 #include "occusg/io/object_labels.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/perception/label_image.hpp"
@@ -39,9 +40,7 @@ MaskSource::MaskSource(const OnnxSegmenterConfig& model)
 InstanceMasks MaskSource::masksOf(const Frame& frame) {
   if (segmenter_) {
     if (!frame.color_path) return noMasks(frame);
-    const cv::Mat image = cv::imread(*frame.color_path, cv::IMREAD_COLOR);
-    if (image.empty())
-      throw refuse(*frame.color_path, "cannot be read", "a colour image is needed");
+    const cv::Mat image = readColorImage(*frame.color_path);
     checkSize(image, *frame.color_path, frame);
     return segmenter_->segment(image);
   }

@@ -21,6 +21,7 @@
 #include "occusg/pipeline/room_labels_file.hpp"
 #include "occusg/regions/no_rooms.hpp"
 #include "progress_bar.hpp"
+#include "recording_options.hpp"
 #include "room_table.hpp"
 #include "wall_clock.hpp"
 
@@ -47,7 +48,10 @@ CommandHelp runHelp() {
   return {
       "occusg run SEQUENCE -o OUT [options]",
       "Takes a recorded RGB-D sequence through the whole pipeline and writes what it found.\n\n"
-      "SEQUENCE is a folder in the TUM RGB-D layout: depth.txt, groundtruth.txt (timestamp tx ty\n"
+      "SEQUENCE is a folder in the layout of TUM RGB-D (below), 7-Scenes, ScanNet's export, "
+      "Replica\n"
+      "of NICE-SLAM, ICL-NUIM or RTAB-Map's export. TUM RGB-D: depth.txt, groundtruth.txt "
+      "(timestamp tx ty\n"
       "tz qx qy qz qw, camera optical frame in the world), 16-bit depth PNGs, and camera.json "
       "with\n"
       "width, height, fx, fy, cx, cy, depth_scale. Objects come from labels/ (16-bit object ids,\n"
@@ -87,7 +91,9 @@ po::options_description runOptions() {
       "occusg-1.0: also write scene_graph.occusg-1.0.json, the published system's schema")(
       "frames", po::value<std::string>(),
       "A:B: only the frames from A up to, not including, B, counted from 0; either may be left "
-      "out")("strict", "fail on the first frame that cannot be used");
+      "out")("strict",
+             "fail on the first frame that cannot be used, and on anything that would be assumed");
+  addRecordingOptions(options);
   return options;
 }
 
@@ -170,8 +176,8 @@ FrameRange framesIn(const po::variables_map& values, std::size_t count, const st
 }
 
 /// @param known_until_s stamp of the last frame of the session that goes on, if one does.
-RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeline& pipeline,
-                      const FrameRange& frames, BadFrames bad_frames,
+RunOutcome processAll(const SequenceReader& sequence, const Pose& T_level_map, MaskSource& source,
+                      Pipeline& pipeline, const FrameRange& frames, BadFrames bad_frames,
                       const std::optional<double>& known_until_s) {
   RunOutcome outcome;
   ProgressBar progress(sequence.scene(), frames.size());
@@ -180,7 +186,8 @@ RunOutcome processAll(const SequenceReader& sequence, MaskSource& source, Pipeli
     if (outcome.interrupted) break;
     ++outcome.frames_read;
     try {
-      const Frame frame = sequence.read(i);
+      Frame frame = sequence.read(i);
+      frame.T_map_camera = T_level_map * frame.T_map_camera;
       if (known_until_s && frame.stamp_s <= *known_until_s) {
         ++outcome.frames_known;
       } else {
@@ -303,6 +310,15 @@ void reportBadInput(const SequenceReader& sequence, const RunOutcome& outcome) {
                 "the objects in " + std::to_string(outcome.bad_masks.size()) + of_all);
 }
 
+/// Says what is assumed or looks wrong; @throws Error instead when `strict`.
+void tellDoubts(const Placement& placement, const std::string& folder, bool strict) {
+  for (const std::string& doubt : placement.doubts) {
+    if (strict) throw refuse(folder, doubt, "without --strict it is taken so");
+    std::cerr << "occusg: " << folder << ": " << doubt << '\n';
+  }
+  if (placement.levelled) std::cerr << "occusg: " << folder << ": " << *placement.levelled << '\n';
+}
+
 /// Does what may fail without taking with it what follows.
 template <typename Step>
 void trying(std::vector<std::string>& problems, const Step& step) {
@@ -332,9 +348,16 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   if (helpWasPrinted(values)) return kFine;
 
   const PipelineConfig config = configFrom(values);
-  const SequenceReader sequence(values["SEQUENCE"].as<std::string>());
+  const std::string recording = values["SEQUENCE"].as<std::string>();
+  const SequenceReaderConfig reading = readingFrom(values);
+  const bool level = values.count("level") > 0;
+  if (level && values.count("map") + values.count("resume") > 0)
+    throw UsageError("--level would turn the recording away from the map of --map or --resume");
+  const SequenceReader sequence(recording, reading);
   const FrameRange frames = framesIn(values, sequence.size(), sequence.scene());
   const Schemas schemas = schemasIn(values);
+  const Placement placement = placementOf(sequence, recording, reading, level);
+  tellDoubts(placement, recording, values.count("strict") > 0);
   Pipeline pipeline(config);
   const std::optional<double> known_until_s = goOn(pipeline, values);
   const auto session_folder = given<std::string>(values, "save-session");
@@ -343,7 +366,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const OutputFolder folder(values["output"].as<std::string>());
   catchInterrupts();
   const RunOutcome outcome =
-      processAll(sequence, source, pipeline, frames,
+      processAll(sequence, placement.T_level_map, source, pipeline, frames,
                  values.count("strict") > 0 ? BadFrames::kFail : BadFrames::kSkip, known_until_s);
   failWhenMostFramesAreBad(outcome, sequence.scene());
   failWhenNoFrameIsNew(outcome, sequence.scene());

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "occusg/error.hpp"
+#include "occusg/io/color_image.hpp"
 #include "occusg_ros/pose_conversions.hpp"
 
 namespace occusg_ros {
@@ -86,9 +87,7 @@ FrameMessages messagesOf(const occusg::Frame& frame, const ros::Time& stamp,
   messages.info = infoMsg(frame.camera, header);
   messages.depth = depthMsg(frame.depth, header);
   if (frame.color_path) {
-    const cv::Mat color = cv::imread(*frame.color_path, cv::IMREAD_COLOR);
-    if (color.empty())
-      throw occusg::refuse(*frame.color_path, "it is not a picture", "a JPEG or PNG is needed");
+    const cv::Mat color = occusg::readColorImage(*frame.color_path);
     messages.color = imageOf(color, sensor_msgs::image_encodings::BGR8, header);
   }
   const occusg::Pose T_map_robot = robotBelow(frame.T_map_camera);

@@ -54,7 +54,7 @@ row one default b done
 row one default broken failed
 row one hydra a done
 row one hydra b missing
-grep -q "broken/depth.txt\|broken/camera.json" one/results.csv || fail "the reason of the failure is not in the row"
+grep -q "rec/broken: " one/results.csv || fail "the reason of the failure is not in the row"
 grep -q "about .* left" out.txt || fail "no remaining time"
 
 # --- Started again: what is finished is kept

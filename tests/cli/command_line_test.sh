@@ -110,6 +110,38 @@ sed -i '3,10s/ depth/ nowhere/' hopeless/depth.txt
 expect "most frames bad" 1 "8 of 12 frames" run hopeless -o hopeless_out
 [ -z "$(ls hopeless_out 2> /dev/null)" ] || fail "a failed run wrote results"
 
+# --- Poses of other systems: what is wrong is seen, and the named option mends it
+poses_of() { python3 "$(dirname "${BASH_SOURCE[0]}")/other_world_poses.py" "$1" "$recording/groundtruth.txt"; }
+rooms_in() { grep -c '"id"' "$1/rooms.json"; }
+short_recording whole 400
+expect "the recording as it is" 0 "" run whole -o as_it_is
+short_recording slam 400 && poses_of first-camera > slam/groundtruth.txt
+expect "the world is the first camera" 0 "degrees away from the map's -z: is z up? --level" run slam -o out_slam
+expect "the same, strict" 1 "is z up?" run slam -o out_strict --strict
+expect "--level" 0 "levelled: the map was turned by" run slam -o level --level
+[ "$(rooms_in level)" -eq "$(rooms_in as_it_is)" ] || fail "--level does not find the rooms again"
+short_recording body 400 && poses_of body > body/groundtruth.txt
+expect "poses of the body" 0 "with --pose-frame body it would be" run body -o out_body
+expect "--pose-frame body" 0 "" run body -o body_mended --pose-frame body
+cmp -s as_it_is/rooms.json body_mended/rooms.json || [ "$(rooms_in body_mended)" -eq "$(rooms_in as_it_is)" ] ||
+  fail "--pose-frame body does not find the rooms again"
+short_recording wxyz 400 && poses_of w-first > wxyz/groundtruth.txt
+expect "quaternions with w first" 0 "with --quaternion wxyz it would be" run wxyz -o out_wxyz
+expect "--quaternion wxyz" 0 "" run wxyz -o wxyz_mended --quaternion wxyz
+[ "$(rooms_in wxyz_mended)" -eq "$(rooms_in as_it_is)" ] || fail "--quaternion wxyz does not find the rooms again"
+short_recording low 400 && poses_of low > low/groundtruth.txt
+expect "the floor is far below zero" 0 "the lowest floor that was seen is 3.0 m below z = 0" run low -o out_low
+short_recording sparse 400 && poses_of sparse > sparse/groundtruth.txt
+expect "fewer poses than images" 0 "interpolated between poses at most 1.0 s, 0.5 m and 30 degrees apart" \
+  run sparse -o out_sparse
+expect "poses in another file" 0 "" run sparse -o other --poses whole/groundtruth.txt
+cmp -s as_it_is/rooms.json other/rooms.json && fail "the scene's name should differ"
+[ "$(rooms_in other)" -eq "$(rooms_in as_it_is)" ] || fail "--poses does not give the rooms again"
+mv sparse/groundtruth.txt sparse/KeyFrameTrajectory.txt
+expect "poses under another name" 1 "name the poses with --poses; the folder holds 'KeyFrameTrajectory.txt'" \
+  run sparse -o out_other
+expect "a bag in place of a folder" 1 "occusg_bag" run "$(touch run.bag; echo run.bag)" -o out_bag
+
 # --- Ctrl-C: ends the run, writes what is there, says so
 "$occusg" run "$recording" -o cut > out.txt 2> err.txt < /dev/null &
 pid=$!

@@ -124,6 +124,6 @@ expect "a label image of another size, strict" 1 "labels/$fifth: is 320 x 100" r
 rm coloured/rgb && mkdir coloured/rgb && cp "$recording"/rgb/* coloured/rgb
 echo "no picture" > "coloured/$(sed -n '3s|.* ||p' coloured/rgb.txt)"
 expect "a spoilt colour image" 0 "skipped the objects in 1 of $frames frames" run coloured -o colour_out "${model[@]}"
-expect "a spoilt colour image, strict" 1 "cannot be read" run coloured -o strict_out "${model[@]}" --strict
+expect "a spoilt colour image, strict" 1 "cannot be decoded" run coloured -o strict_out "${model[@]}" --strict
 
 finish

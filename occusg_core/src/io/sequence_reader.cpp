@@ -2,14 +2,13 @@
 #include "occusg/io/sequence_reader.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <limits>
 #include <opencv2/imgcodecs.hpp>
 
 #include "io/json_text.hpp"
-#include "io/text_lines.hpp"
+#include "io/recordings/recording.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/file_bytes.hpp"
 #include "occusg/io/png_check.hpp"
@@ -19,93 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxUnusableLines = 100;
-constexpr std::size_t kMaxCameraFileBytes = std::size_t{1} << 20U;
 constexpr std::size_t kMaxImageBytes = std::size_t{1} << 30U;
 
-std::string at(const std::string& path, const TextLine& line) {
-  return path + ":" + std::to_string(line.number);
-}
-
 std::string seconds(double value) { return toText(value) + " s"; }
-
-/// The path in a line of a list, or the reason why it cannot be used.
-struct ListedPath {
-  std::string path;
-  std::string problem;
-};
-
-bool leavesFolder(const fs::path& path) {
-  return path.is_absolute() || std::find(path.begin(), path.end(), fs::path("..")) != path.end();
-}
-
-ListedPath pathIn(const TextLine& line, const std::string& where) {
-  // A path may hold spaces: it is all that follows the stamp.
-  constexpr const char* kSpace = " \t\r";
-  const std::size_t stamp = line.text.find_first_not_of(kSpace);
-  const std::size_t gap = line.text.find_first_of(kSpace, stamp);
-  const std::size_t begin = line.text.find_first_not_of(kSpace, gap);
-  const std::size_t end = line.text.find_last_not_of(kSpace) + 1;
-  const std::string path = line.text.substr(begin, end - begin);
-  if (std::any_of(path.begin(), path.end(), isControl)) {
-    return {"", refuse(where, "path \"" + shown(path) + "\" holds a control character",
-                       "a path inside the folder is needed")
-                    .what()};
-  }
-  if (leavesFolder(path)) {
-    return {"", refuse(where, "path \"" + shown(path) + "\" leaves the folder of the sequence",
-                       "a relative path without \"..\" is needed")
-                    .what()};
-  }
-  return {path, ""};
-}
-
-/// What a line is wrong about before its fields are looked at; empty when nothing.
-std::string formProblem(const TextLine& line, const std::string& where, const char* form,
-                        std::size_t min_words, std::size_t max_words) {
-  if (line.text.size() > kMaxLineLength) {
-    return refuse(where, "is longer than " + std::to_string(kMaxLineLength) + " characters",
-                  std::string("\"") + form + "\" is needed")
-        .what();
-  }
-  const std::size_t words = wordsOf(line.text).size();
-  if (words < min_words || words > max_words) {
-    return refuse(where, "\"" + shown(line.text) + "\" has " + std::to_string(words) + " fields",
-                  std::string("\"") + form + "\" is needed")
-        .what();
-  }
-  return "";
-}
-
-std::string numberProblem(const std::string& where, const char* field, const std::string& word) {
-  return refuse(where, std::string(field) + " is \"" + shown(word) + "\"",
-                "a finite number is needed")
-      .what();
-}
-
-constexpr std::array<const char*, 8> kPoseFields = {"timestamp", "tx", "ty", "tz",
-                                                    "qx",        "qy", "qz", "qw"};
-
-/// Pose from the numbers of a line, or the reason why not.
-std::string readPose(const std::vector<std::string>& words, const std::string& where, Pose& pose) {
-  std::array<double, kPoseFields.size()> values{};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto number = numberIn(words[i]);
-    if (!number) return numberProblem(where, kPoseFields[i], words[i]);
-    values[i] = *number;
-  }
-  const Eigen::Quaterniond rotation(values[7], values[4], values[5], values[6]);
-  const double norm = rotation.norm();
-  if (!(std::abs(norm - 1.0) <= kUnitQuaternionTolerance)) {
-    return refuse(where, "the quaternion has norm " + toText(norm),
-                  "1 within " + toText(kUnitQuaternionTolerance) + " is needed")
-        .what();
-  }
-  pose = Pose::Identity();
-  pose.linear() = rotation.normalized().toRotationMatrix();
-  pose.translation() = Eigen::Vector3d(values[1], values[2], values[3]);
-  return "";
-}
 
 /// The entry nearest to `stamp_s`, the earlier of two equally near; null when all are farther than
 /// `max_offset_s`. Entries are sorted by time.
@@ -124,12 +39,6 @@ const Entry* nearest(const std::vector<Entry>& entries, double stamp_s, double m
     best_offset_s = offset_s;
   }
   return best;
-}
-
-template <typename Entry>
-void sortByTime(std::vector<Entry>& entries) {
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const Entry& a, const Entry& b) { return a.stamp_s < b.stamp_s; });
 }
 
 /// The picture in `bytes`; empty when there is none.
@@ -156,12 +65,22 @@ cv::Mat readDepthPng(const std::string& path, const CameraModel& camera) {
     throw refuse(
         path,
         "is " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels",
-        "camera.json says " + std::to_string(camera.width) + " x " + std::to_string(camera.height));
+        "the camera file says " + std::to_string(camera.width) + " x " +
+            std::to_string(camera.height));
   }
   cv::Mat pixels = decoded(bytes);
   if (pixels.type() != CV_16UC1 || pixels.cols != camera.width || pixels.rows != camera.height)
     throw refuse(path, "cannot be decoded", "a complete PNG is needed");
   return pixels;
+}
+
+/// The pose a share 0..1 of the way from `a` to `b`: straight, and turning evenly.
+Pose between(const Pose& a, const Pose& b, double share) {
+  const Eigen::Quaterniond from(a.linear());
+  Pose pose = Pose::Identity();
+  pose.linear() = from.slerp(share, Eigen::Quaterniond(b.linear())).toRotationMatrix();
+  pose.translation() = (1.0 - share) * a.translation() + share * b.translation();
+  return pose;
 }
 
 }  // namespace
@@ -173,127 +92,72 @@ SequenceReader::SequenceReader(const std::string& folder, const SequenceReaderCo
                  "a value from 0 to 1 s is needed");
   }
   std::error_code failed;
-  if (!fs::is_directory(folder_, failed))
-    throw refuse(folder_, "is not a folder that can be read", "the folder of a sequence is needed");
   const fs::path absolute = fs::absolute(folder_, failed).lexically_normal();
   scene_ = (absolute.has_filename() ? absolute : absolute.parent_path()).filename().string();
-  readCamera();
-  readDepthList();
-  readPoses();
-  readColorList();
+  recording_ = std::make_shared<const Recording>(readRecording(folder_, config_));
 }
 
-void SequenceReader::readCamera() {
-  const std::string path = pathOf("camera.json");
-  const nlohmann::json document = parseJson(readFile(path, kMaxCameraFileBytes), path);
-  const auto number = [&](const char* key) {
-    return numberOf(member(document, key, path), path + ": " + key);
-  };
-  const auto integer = [&](const char* key) {
-    return integerOf(member(document, key, path), path + ": " + key);
-  };
-  camera_ = {integer("width"), integer("height"), number("fx"),
-             number("fy"),     number("cx"),      number("cy")};
-  check(camera_, path);
-  depth_units_per_m_ = number("depth_scale");
-  if (!(depth_units_per_m_ > 0.0 && depth_units_per_m_ <= 1e6)) {
-    throw refuse(path + ": depth_scale", "is " + toText(depth_units_per_m_),
-                 "the pixel value of one metre, above 0 and at most 1e6, is needed");
-  }
+std::size_t SequenceReader::size() const { return recording_->depth_images.size(); }
+
+const CameraModel& SequenceReader::camera() const { return recording_->camera; }
+
+const std::string& SequenceReader::layout() const { return recording_->layout; }
+
+const std::vector<std::string>& SequenceReader::unusableLines() const {
+  return recording_->unusable_lines;
 }
 
-void SequenceReader::readDepthList() {
-  const std::string path = pathOf("depth.txt");
-  std::optional<double> last_stamp_s;
-  std::size_t last_line = 0;
-  for (const TextLine& line : readLines(path)) {
-    const std::string where = at(path, line);
-    ImageEntry entry;
-    entry.problem = formProblem(line, where, "timestamp path", 2, kMaxLineLength);
-    const auto stamp = entry.problem.empty() ? numberIn(wordsOf(line.text)[0]) : std::nullopt;
-    if (entry.problem.empty() && !stamp)
-      entry.problem = numberProblem(where, "timestamp", wordsOf(line.text)[0]);
-    if (entry.problem.empty()) {
-      entry.stamp_s = *stamp;
-      const ListedPath listed = pathIn(line, where);
-      entry.path = listed.path;
-      entry.problem = listed.problem;
-    }
-    if (entry.problem.empty() && last_stamp_s && *stamp <= *last_stamp_s) {
-      entry.problem = refuse(where,
-                             "time goes back to " + seconds(*stamp) + " after " +
-                                 seconds(*last_stamp_s) + " in line " + std::to_string(last_line),
-                             "stamps must increase")
-                          .what();
-    }
-    if (entry.problem.empty()) {
-      last_stamp_s = stamp;
-      last_line = line.number;
-    }
-    frames_.push_back(std::move(entry));
-  }
-  if (frames_.empty()) throw refuse(path, "lists no image", "\"timestamp path\" lines are needed");
+const std::vector<std::string>& SequenceReader::assumptions() const {
+  return recording_->assumptions;
 }
 
-void SequenceReader::readColorList() {
-  const std::string path = pathOf("rgb.txt");
-  std::error_code failed;
-  if (!fs::exists(path, failed)) return;
-  for (const TextLine& line : readLines(path)) {
-    const std::string where = at(path, line);
-    ImageEntry entry;
-    entry.problem = formProblem(line, where, "timestamp path", 2, kMaxLineLength);
-    if (entry.problem.empty()) {
-      const std::string word = wordsOf(line.text)[0];
-      const ListedPath listed = pathIn(line, where);
-      const auto stamp = numberIn(word);
-      entry = {stamp.value_or(0.0), listed.path,
-               stamp ? listed.problem : numberProblem(where, "timestamp", word)};
-    }
-    if (entry.problem.empty()) {
-      color_images_.push_back(std::move(entry));
-    } else if (unusable_lines_.size() < kMaxUnusableLines) {
-      unusable_lines_.push_back(std::move(entry.problem));
-    }
-  }
-  sortByTime(color_images_);
+std::size_t SequenceReader::interpolatedPoses() const {
+  const auto& images = recording_->depth_images;
+  return static_cast<std::size_t>(
+      std::count_if(images.begin(), images.end(), [&](const RecordedImage& image) {
+        return image.problem.empty() && !hasPoseNear(image.stamp_s) &&
+               interpolatedPose(image.stamp_s).has_value();
+      }));
 }
 
-void SequenceReader::readPoses() {
-  const std::string path = pathOf("groundtruth.txt");
-  for (const TextLine& line : readLines(path)) {
-    const std::string where = at(path, line);
-    const std::vector<std::string> words = wordsOf(line.text);
-    PoseEntry entry;
-    entry.problem = formProblem(line, where, "timestamp tx ty tz qx qy qz qw", kPoseFields.size(),
-                                kPoseFields.size());
-    if (entry.problem.empty()) entry.problem = readPose(words, where, entry.T_map_camera);
-    const auto stamp = words.empty() ? std::nullopt : numberIn(words[0]);
-    entry.stamp_s = stamp.value_or(0.0);
-    if (entry.problem.empty()) {
-      poses_.push_back(std::move(entry));
-      continue;
-    }
-    if (unusable_lines_.size() < kMaxUnusableLines) unusable_lines_.push_back(entry.problem);
-    if (stamp) unusable_poses_.push_back(std::move(entry));
-  }
-  if (poses_.empty() && unusable_lines_.empty())
-    throw refuse(path, "holds no pose", "\"timestamp tx ty tz qx qy qz qw\" lines are needed");
-  if (poses_.empty()) throw Error(unusable_lines_.front() + " (no other line is usable either)");
-  sortByTime(poses_);
-  sortByTime(unusable_poses_);
+bool SequenceReader::hasPoseNear(double stamp_s) const {
+  return nearest(recording_->poses, stamp_s, config_.max_time_offset_s) != nullptr ||
+         nearest(recording_->unusable_poses, stamp_s, config_.max_time_offset_s) != nullptr;
+}
+
+std::optional<Pose> SequenceReader::interpolatedPose(double stamp_s) const {
+  const auto& poses = recording_->poses;
+  const auto after =
+      std::lower_bound(poses.begin(), poses.end(), stamp_s,
+                       [](const RecordedPose& pose, double stamp) { return pose.stamp_s < stamp; });
+  if (after == poses.begin() || after == poses.end()) return std::nullopt;
+  const RecordedPose& a = *(after - 1);
+  const RecordedPose& b = *after;
+  const Pose step = a.T_map_camera.inverse() * b.T_map_camera;
+  const PoseInterpolationLimits& limits = config_.interpolation;
+  const bool is_near = b.stamp_s - a.stamp_s <= limits.max_gap_s &&
+                       step.translation().norm() <= limits.max_gap_m &&
+                       Eigen::AngleAxisd(step.linear()).angle() <= limits.max_gap_rad;
+  if (!is_near) return std::nullopt;
+  return between(a.T_map_camera, b.T_map_camera, (stamp_s - a.stamp_s) / (b.stamp_s - a.stamp_s));
 }
 
 Pose SequenceReader::poseAt(double stamp_s) const {
-  if (const auto* pose = nearest(poses_, stamp_s, config_.max_time_offset_s); pose != nullptr)
+  const Recording& recording = *recording_;
+  if (const auto* pose = nearest(recording.poses, stamp_s, config_.max_time_offset_s);
+      pose != nullptr)
     return pose->T_map_camera;
-  if (const auto* unusable = nearest(unusable_poses_, stamp_s, config_.max_time_offset_s);
+  if (const auto* unusable = nearest(recording.unusable_poses, stamp_s, config_.max_time_offset_s);
       unusable != nullptr)
     throw Error(unusable->problem);
-  const auto* any = nearest(poses_, stamp_s, std::numeric_limits<double>::infinity());
-  throw refuse(pathOf("groundtruth.txt"),
+  if (const auto pose = interpolatedPose(stamp_s)) return *pose;
+  const auto* any = nearest(recording.poses, stamp_s, std::numeric_limits<double>::infinity());
+  throw refuse(recording.poses_path,
                "the pose nearest to " + seconds(stamp_s) + " is at " + seconds(any->stamp_s),
-               "one within " + seconds(config_.max_time_offset_s) + " is needed");
+               "one within " + seconds(config_.max_time_offset_s) + " or two around it, at most " +
+                   seconds(config_.interpolation.max_gap_s) + ", " +
+                   toText(config_.interpolation.max_gap_m) + " m and " +
+                   toText(config_.interpolation.max_gap_rad) + " rad apart, are needed");
 }
 
 std::optional<std::string> SequenceReader::truthPath() const {
@@ -303,22 +167,30 @@ std::optional<std::string> SequenceReader::truthPath() const {
   return path;
 }
 
+DepthImage SequenceReader::depthIn(const std::string& path) const {
+  cv::Mat pixels = readDepthPng(path, recording_->camera);
+  if (recording_->highest_value_is_no_return)
+    pixels.setTo(0, pixels == std::numeric_limits<std::uint16_t>::max());
+  if (recording_->rows_go_up) cv::flip(pixels, pixels, 0);
+  return {pixels, recording_->depth_units_per_m};
+}
+
 Frame SequenceReader::read(std::size_t index) const {
-  if (index >= frames_.size()) {
+  if (index >= size()) {
     throw refuse(folder_, "has no frame " + std::to_string(index),
-                 "an index below " + std::to_string(frames_.size()) + " is needed");
+                 "an index below " + std::to_string(size()) + " is needed");
   }
-  const ImageEntry& entry = frames_[index];
+  const RecordedImage& entry = recording_->depth_images[index];
   if (!entry.problem.empty()) throw Error(entry.problem);
   Frame frame;
   frame.stamp_s = entry.stamp_s;
-  frame.camera = camera_;
+  frame.camera = recording_->camera;
   frame.depth_path = pathOf(entry.path);
   frame.T_map_camera = poseAt(entry.stamp_s);
-  frame.depth = {readDepthPng(frame.depth_path, camera_), depth_units_per_m_};
-  if (const auto* color = nearest(color_images_, entry.stamp_s, config_.max_time_offset_s);
-      color != nullptr)
-    frame.color_path = pathOf(color->path);
+  frame.depth = depthIn(frame.depth_path);
+  const auto* color = nearest(recording_->color_images, entry.stamp_s, config_.max_time_offset_s);
+  // A picture whose rows go up would not show what the turned depth image shows.
+  if (color != nullptr && !recording_->rows_go_up) frame.color_path = pathOf(color->path);
   std::error_code failed;
   const std::string labels =
       pathOf((fs::path("labels") / fs::path(entry.path).filename()).string());

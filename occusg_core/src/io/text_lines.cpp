@@ -40,6 +40,10 @@ std::vector<TextLine> readLines(const std::string& path) {
   return lines;
 }
 
+std::string placeOf(const std::string& path, const TextLine& line) {
+  return path + ":" + std::to_string(line.number);
+}
+
 std::vector<std::string> wordsOf(const std::string& text) {
   std::vector<std::string> words;
   std::size_t start = text.find_first_not_of(kSeparators);

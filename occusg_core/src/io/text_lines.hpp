@@ -21,6 +21,9 @@ inline constexpr std::size_t kMaxLines = 1'000'000;
 /// @throws Error when the file cannot be read, or is longer than the limits.
 [[nodiscard]] std::vector<TextLine> readLines(const std::string& path);
 
+/// "path:number", how a sentence names the line.
+[[nodiscard]] std::string placeOf(const std::string& path, const TextLine& line);
+
 /// Words separated by spaces or tabs.
 [[nodiscard]] std::vector<std::string> wordsOf(const std::string& text);
 

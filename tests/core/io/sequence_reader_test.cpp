@@ -75,7 +75,7 @@ TEST(SequenceReader, NearestPoseWithinTheToleranceIsTaken) {
 
 TEST(SequenceReader, NoPoseNearEnoughSpoilsThatFrameOnly) {
   const RecordedSequence sequence;
-  sequence.folder.write("groundtruth.txt", "0.0 0 0 1 0 0 0 1\n0.2301 0 0 1 0 0 0 1\n");
+  sequence.folder.write("groundtruth.txt", "0.0 0 0 1 0 0 0 1\n0.2301 5 0 1 0 0 0 1\n");
   EXPECT_TRUE(tells(readingFails(sequence, 1),
                     {"groundtruth.txt", "nearest to 0.2 s is at 0.2301 s", "within 0.02 s"}));
   EXPECT_EQ(SequenceReader(sequence.path(), {0.05}).read(1).stamp_s, 0.2);
@@ -177,7 +177,7 @@ TEST(SequenceReader, FolderInPlaceOfAnImageIsRefused) {
 
 TEST(SequenceReader, ImageOfAnotherSizeOrTypeIsRefused) {
   const std::vector<std::pair<cv::Mat, std::vector<std::string>>> cases = {
-      {cv::Mat(6, 9, CV_16UC1, cv::Scalar(1)), {"is 9 x 6 pixels", "camera.json says 8 x 6"}},
+      {cv::Mat(6, 9, CV_16UC1, cv::Scalar(1)), {"is 9 x 6 pixels", "the camera file says 8 x 6"}},
       {cv::Mat(6, 8, CV_8UC1, cv::Scalar(1)), {"8 bits and 1 channels", "16 bits and one"}},
       {cv::Mat(6, 8, CV_16UC3, cv::Scalar(1)), {"16 bits and 3 channels"}},
       {cv::Mat(6, 8, CV_16UC4, cv::Scalar(1)), {"16 bits and 4 channels"}},
