@@ -89,6 +89,7 @@ occusg_add_floor(graph
     change_log.cpp
     class_key.cpp
     door_layer.cpp
+    drivable_path.cpp
     entity_assignment.cpp
     free_space_links.cpp
     ghost_check.cpp

@@ -15,6 +15,7 @@
 #include "occusg/error.hpp"
 #include "occusg/io/sequence_reader.hpp"
 #include "occusg_ros/sequence_messages.hpp"
+#include "recorded_detections.hpp"
 #include "tool_options.hpp"
 
 namespace {
@@ -35,6 +36,7 @@ struct Options {
   std::string bag;
   FrameNames frames;
   std::string camera = "camera";
+  std::string detections = "/occusg/detections";
   double rate = 1.0;
   double hold_s = 0.0;
   int scale = 1;
@@ -46,7 +48,7 @@ struct Options {
 
 /// Where a frame's messages go.
 struct Publishers {
-  ros::Publisher clock, tf, odometry, info, depth, color;
+  ros::Publisher clock, tf, odometry, info, depth, color, detections;
 };
 
 bool parse(int argc, char** argv, Options& options) {
@@ -61,8 +63,10 @@ bool parse(int argc, char** argv, Options& options) {
       "loop", po::bool_switch(&options.loop), "begin again at the end")(
       "hold", po::value(&options.hold_s), "stand for so long at the end [s]")(
       "wait", po::bool_switch(&options.wait), "wait until somebody listens to the depth images")(
-      "no-color", "leave the colour images out")("camera", po::value(&options.camera),
-                                                 "name of the camera's topics")(
+      "no-color", "leave the colour images out")(
+      "detections", po::value(&options.detections),
+      "topic of the objects that labels/ shows (occusg/DetectionArray); '' for none")(
+      "camera", po::value(&options.camera), "name of the camera's topics")(
       "map-frame", po::value(&options.frames.map), "name of the map's frame")(
       "robot-frame", po::value(&options.frames.robot), "name of the robot's frame")(
       "camera-frame", po::value(&options.frames.camera), "name of the camera's optical frame");
@@ -92,6 +96,20 @@ void enlarge(occusg::Frame& frame, int scale) {
   camera.cy = scale * (camera.cy + 0.5) - 0.5;
 }
 
+/// A recording that is played, and what it says of objects.
+struct Recording {
+  occusg::SequenceReader sequence;
+  occusg_ros::RecordedDetections objects;
+
+  explicit Recording(const std::string& folder) : sequence(folder), objects(sequence) {}
+};
+
+/// What a frame is sent as.
+struct PlayedFrame {
+  FrameMessages messages;
+  std::optional<occusg::DetectionArray> detections;
+};
+
 /// Where recorded times lie among those that are sent: under a clock of its own a replay keeps the
 /// recorded distances and the clock runs faster, under the clock of the wall the distances shrink.
 struct TimeAxis {
@@ -105,37 +123,44 @@ struct TimeAxis {
 };
 
 /// Frame `index`; empty, and said, when it cannot be read.
-std::optional<FrameMessages> read(const occusg::SequenceReader& sequence, std::size_t index,
-                                  const TimeAxis& time, const Options& options) {
+std::optional<PlayedFrame> read(const Recording& recording, std::size_t index, const TimeAxis& time,
+                                const Options& options) {
   try {
-    occusg::Frame frame = sequence.read(index);
+    occusg::Frame frame = recording.sequence.read(index);
     if (!options.with_color) frame.color_path.reset();
+    const ros::Time stamp = time.at(frame.stamp_s);
+    PlayedFrame played;
+    if (!options.detections.empty())
+      played.detections = recording.objects.of(frame, stamp, options.frames.map);
     enlarge(frame, options.scale);
-    return messagesOf(frame, time.at(frame.stamp_s), options.frames);
+    played.messages = messagesOf(frame, stamp, options.frames);
+    return played;
   } catch (const occusg::Error& error) {
     std::cerr << "occusg_play: skipped: " << error.what() << '\n';
     return std::nullopt;
   }
 }
 
-void writeBag(const occusg::SequenceReader& sequence, const Options& options) {
+void writeBag(const Recording& recording, const Options& options) {
   rosbag::Bag bag(options.bag, rosbag::bagmode::Write);
   bag.setCompression(rosbag::compression::LZ4);
   const std::string ns = "/" + options.camera;
-  for (std::size_t i = 0; i < sequence.size(); ++i) {
-    const auto messages = read(sequence, i, TimeAxis{}, options);
-    if (!messages) continue;
-    const ros::Time stamp = messages->depth.header.stamp;
-    bag.write("/tf", stamp, messages->tf);
-    bag.write("/odom", stamp, messages->odometry);
-    bag.write(ns + "/depth/camera_info", stamp, messages->info);
-    bag.write(ns + "/depth/image_rect", stamp, messages->depth);
-    if (messages->color) bag.write(ns + "/rgb/image_rect_color", stamp, *messages->color);
+  for (std::size_t i = 0; i < recording.sequence.size(); ++i) {
+    const auto played = read(recording, i, TimeAxis{}, options);
+    if (!played) continue;
+    const FrameMessages& messages = played->messages;
+    const ros::Time stamp = messages.depth.header.stamp;
+    bag.write("/tf", stamp, messages.tf);
+    bag.write("/odom", stamp, messages.odometry);
+    bag.write(ns + "/depth/camera_info", stamp, messages.info);
+    bag.write(ns + "/depth/image_rect", stamp, messages.depth);
+    if (messages.color) bag.write(ns + "/rgb/image_rect_color", stamp, *messages.color);
+    if (played->detections) bag.write(options.detections, stamp, *played->detections);
   }
-  std::cout << "wrote " << sequence.size() << " frames to " << options.bag << '\n';
+  std::cout << "wrote " << recording.sequence.size() << " frames to " << options.bag << '\n';
 }
 
-Publishers advertise(ros::NodeHandle& nh, const Options& options) {
+Publishers advertise(ros::NodeHandle& nh, const Options& options, bool has_objects) {
   constexpr std::uint32_t kQueue = 100;
   const std::string ns = "/" + options.camera;
   Publishers publishers;
@@ -146,6 +171,8 @@ Publishers advertise(ros::NodeHandle& nh, const Options& options) {
   publishers.depth = nh.advertise<sensor_msgs::Image>(ns + "/depth/image_rect", kQueue);
   if (options.with_color)
     publishers.color = nh.advertise<sensor_msgs::Image>(ns + "/rgb/image_rect_color", kQueue);
+  if (has_objects && !options.detections.empty())
+    publishers.detections = nh.advertise<occusg::DetectionArray>(options.detections, kQueue);
   return publishers;
 }
 
@@ -156,13 +183,15 @@ void publishClock(const Publishers& publishers, double stamp_s) {
   publishers.clock.publish(clock);
 }
 
-void publish(const Publishers& publishers, const FrameMessages& messages) {
+void publish(const Publishers& publishers, const PlayedFrame& played) {
+  const FrameMessages& messages = played.messages;
   publishClock(publishers, messages.depth.header.stamp.toSec());
   publishers.tf.publish(messages.tf);
   publishers.odometry.publish(messages.odometry);
   publishers.info.publish(messages.info);
   publishers.depth.publish(messages.depth);
   if (messages.color && publishers.color) publishers.color.publish(*messages.color);
+  if (played.detections && publishers.detections) publishers.detections.publish(*played.detections);
 }
 
 /// Lets the wall run until a stamp's time has come.
@@ -201,8 +230,7 @@ void stand(const Publishers& publishers, FrameMessages messages, const Options& 
   }
 }
 
-void playOnce(const occusg::SequenceReader& sequence, const Publishers& publishers,
-              const Options& options) {
+void playOnce(const Recording& recording, const Publishers& publishers, const Options& options) {
   TimeAxis time;
   if (options.clock) {
     time.clock_rate = options.rate;
@@ -212,19 +240,19 @@ void playOnce(const occusg::SequenceReader& sequence, const Publishers& publishe
   }
   const Pace pace(publishers, time);
   std::optional<FrameMessages> last;
-  for (std::size_t i = 0; ros::ok() && i < sequence.size(); ++i) {
-    const auto messages = read(sequence, i, time, options);
-    if (!messages) continue;
-    pace.waitUntil(messages->depth.header.stamp.toSec());
-    publish(publishers, *messages);
-    last = messages;
+  for (std::size_t i = 0; ros::ok() && i < recording.sequence.size(); ++i) {
+    const auto played = read(recording, i, time, options);
+    if (!played) continue;
+    pace.waitUntil(played->messages.depth.header.stamp.toSec());
+    publish(publishers, *played);
+    last = played->messages;
   }
   if (last) stand(publishers, *last, options, pace);
 }
 
-void play(const occusg::SequenceReader& sequence, const Options& options) {
+void play(const Recording& recording, const Options& options) {
   ros::NodeHandle nh;
-  const Publishers publishers = advertise(nh, options);
+  const Publishers publishers = advertise(nh, options, recording.objects.any());
   const ros::WallTime start = ros::WallTime::now();
   while (ros::ok() && options.wait && publishers.depth.getNumSubscribers() == 0 &&
          (ros::WallTime::now() - start).toSec() < kPatience_s)
@@ -232,7 +260,7 @@ void play(const occusg::SequenceReader& sequence, const Options& options) {
   // Connections are made one after the other; what is sent before the last is lost.
   ros::WallDuration(1.0).sleep();
   do {
-    playOnce(sequence, publishers, options);
+    playOnce(recording, publishers, options);
   } while (ros::ok() && options.loop);
 }
 
@@ -244,11 +272,11 @@ int main(int argc, char** argv) {
     ros::Time::init();
     Options options;
     if (!parse(argc, argv, options)) return 0;
-    const occusg::SequenceReader sequence(options.sequence);
+    const Recording recording(options.sequence);
     if (options.bag.empty()) {
-      play(sequence, options);
+      play(recording, options);
     } else {
-      writeBag(sequence, options);
+      writeBag(recording, options);
     }
   } catch (const std::exception& error) {
     std::cerr << "occusg_play: " << error.what() << '\n';

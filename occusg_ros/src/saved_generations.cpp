@@ -82,7 +82,7 @@ SavedGenerations::SavedGenerations(std::string folder, std::string run_id, const
   std::error_code ignored;
   has_crashed_ = fs::exists(running_mark_, ignored) && firstLine(running_mark_) == run_id_;
   // Where nothing can be written, saving says so; there is nothing to go on from either.
-  fs::create_directories(folder_, ignored);
+  if (!fs::is_directory(folder_, ignored)) fs::create_directories(folder_, ignored);
   writeLine(running_mark_, run_id_);
 }
 

@@ -102,7 +102,7 @@ bool SceneGraphNode::onGetPath(occusg::GetPath::Request& request,
   if (from == kNone) return answer(response, "the robot is in no room", "");
   const auto way = std::make_shared<RoomPath>();
   const std::string problem = onWorker([this, from, to = request.to_room, way, graph] {
-    *way = pathBetween(rooms_->graph(), from, to, graph->header);
+    *way = pathBetween(rooms_->graph(), layer_, from, to, settings_.robot_radius_m, graph->header);
   });
   if (!problem.empty()) return answer(response, problem, "");
   response.rooms = std::move(way->rooms);

@@ -23,6 +23,7 @@ struct SceneGraphSettings {
   std::string odom;
   double free_below_percent = 0.0;
   double occupied_above_percent = 0.0;
+  double robot_radius_m = 0.2;
   std::string scene = "scene";
   double tf_timeout_s = 0.5;
   double tf_cache_s = 10.0;
@@ -66,6 +67,9 @@ struct SceneGraphSettings {
       numberParameter(settings.occupied_above_percent, {0.0, 100.0},
                       {"occupied_above_percent", "%",
                        "Cells above this occupancy are occupied; used with free_below_percent."}),
+      numberParameter(settings.robot_radius_m, {0.0, 10.0},
+                      {"robot_radius", "m",
+                       "Clearance that paths of get_path keep from all that is not free."}),
       textParameter(settings.scene, {"scene", "", "What the scene is called."}),
       numberParameter(settings.tf_timeout_s, {0.0, 60.0},
                       {"tf_timeout_s", "s", "How long free space waits for the pose of its time."}),

@@ -52,6 +52,7 @@ class BagToolsTest(unittest.TestCase):
             info = next(bag.read_messages("/camera/depth/camera_info")).message
         self.assertEqual(topics, {
             "/tf": ("tf2_msgs/TFMessage", FRAMES),
+            "/occusg/detections": ("occusg/DetectionArray", FRAMES),
             "/odom": ("nav_msgs/Odometry", FRAMES),
             "/camera/depth/camera_info": ("sensor_msgs/CameraInfo", FRAMES),
             "/camera/depth/image_rect": ("sensor_msgs/Image", FRAMES)})

@@ -124,6 +124,21 @@ std::vector<AdjacentRoom> adjacentRooms(const SceneGraph& graph, NodeId room) {
   return rooms;
 }
 
+RoomsOnTheWay roomsAlong(const SceneGraph& graph, const std::vector<Point2>& points) {
+  RoomsOnTheWay way;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::optional<NodeId> room = roomAt(graph, points[i]);
+    if (!room || (!way.rooms.empty() && way.rooms.back() == *room)) continue;
+    if (!way.rooms.empty()) {
+      const Point2 crossing = midpoint({points[i - 1], points[i]});
+      if (const auto door = doorBetween(graph, way.rooms.back(), *room, crossing))
+        way.doors.push_back(*door);
+    }
+    way.rooms.push_back(*room);
+  }
+  return way;
+}
+
 std::optional<Route> shortestRoute(const SceneGraph& graph, const Point2& from, const Point2& to,
                                    double max_reach_m) {
   const std::optional<NodeId> first = nodeFor(graph, from, max_reach_m);

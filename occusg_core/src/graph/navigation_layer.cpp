@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "occusg/error.hpp"
+#include "occusg/mapping/cells_on_line.hpp"
 
 namespace occusg {
 namespace {
@@ -99,7 +100,7 @@ void NavigationLayer::update(SceneGraph& graph, const FreeSpace& layer, const Ce
       noteJoins({x, y}, to_join);
     }
   }
-  for (const BlockPair& blocks : to_join) joinBlocks(graph, blocks);
+  for (const BlockPair& blocks : to_join) joinBlocks(graph, layer, blocks);
 }
 
 // A block has to do with the pairs it is one of and with those that meet at its corners.
@@ -245,11 +246,21 @@ bool NavigationLayer::areJoined(const BlockPair& blocks, Part a, Part b) const {
   return sets.find(a) == sets.find(offset + b);
 }
 
-void NavigationLayer::joinBlocks(SceneGraph& graph, const BlockPair& blocks) const {
+bool NavigationLayer::isStraightWayFree(const SceneGraph& graph, const FreeSpace& layer, NodeId a,
+                                        NodeId b) const {
+  if (config_.nodes == NavigationNodes::kOnePerBlock) return true;
+  return holdsOnLine(
+      layer.frame, graph.at(a).groundPosition(), graph.at(b).groundPosition(),
+      [&](const Cell& cell) { return layer.cells.valueOr(cell, kUnknown) == kFree; });
+}
+
+void NavigationLayer::joinBlocks(SceneGraph& graph, const FreeSpace& layer,
+                                 const BlockPair& blocks) const {
   for (const NavigationBlock::Site& a : blockAt(blocks.first).sites) {
     for (const NavigationBlock::Site& b : blockAt(blocks.second).sites) {
       const bool has_edge = graph.findEdge(EdgeType::kTraversable, a.node, b.node) != nullptr;
-      const bool wants_edge = areJoined(blocks, a.part, b.part);
+      const bool wants_edge =
+          areJoined(blocks, a.part, b.part) && isStraightWayFree(graph, layer, a.node, b.node);
       if (wants_edge && !has_edge) graph.connect({EdgeType::kTraversable, a.node, b.node, {}});
       if (!wants_edge && has_edge) graph.disconnect(EdgeType::kTraversable, a.node, b.node);
     }

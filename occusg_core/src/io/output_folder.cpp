@@ -166,7 +166,8 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   std::error_code failed;
   if (fs::exists(path_, failed) && !fs::is_directory(path_, failed))
     throw refuse(path_, "is a file", "a folder is needed");
-  fs::create_directories(path_, failed);
+  // A link to a folder is one already; older standard libraries refuse to create it.
+  if (!fs::is_directory(path_, failed)) fs::create_directories(path_, failed);
   if (failed || !fs::is_directory(path_, failed))
     throw refuse(path_, "cannot be created (" + failed.message() + ")", kWritable);
   removeStaleParts(path_);

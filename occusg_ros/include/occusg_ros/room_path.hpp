@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "occusg/graph/scene_graph.hpp"
+#include "occusg/mapping/free_space.hpp"
 
 namespace occusg_ros {
 
@@ -15,14 +16,16 @@ namespace occusg_ros {
 struct RoomPath {
   std::vector<std::int64_t> rooms;      ///< Both ends included.
   std::vector<occusg::DoorInfo> doors;  ///< In the order they are passed.
-  nav_msgs::Path path;                  ///< From room node to room node through free space.
+  nav_msgs::Path path;                  ///< Through free space; each pose looks to the next.
   double length_m = 0.0;                ///< Of the path.
 };
 
-/// The shortest way through free space, as `occusg::shortestRoute` finds it.
+/// The shortest way through the free space of `layer` on which a robot of the radius touches
+/// nothing, as `occusg::drivablePath` finds it.
 /// @param header of the path.
-/// @throws occusg::Error when there is no such room or no way.
-[[nodiscard]] RoomPath pathBetween(const occusg::SceneGraph& graph, occusg::NodeId from,
-                                   occusg::NodeId to, const std_msgs::Header& header);
+/// @throws occusg::Error when there is no such room, or no way, and why.
+[[nodiscard]] RoomPath pathBetween(const occusg::SceneGraph& graph, const occusg::FreeSpace& layer,
+                                   occusg::NodeId from, occusg::NodeId to, double robot_radius_m,
+                                   const std_msgs::Header& header);
 
 }  // namespace occusg_ros

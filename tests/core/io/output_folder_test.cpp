@@ -221,6 +221,14 @@ TEST(OutputFolder, FailureMode16ReadOnlyFolderIsFoundOnOpening) {
   std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
 }
 
+TEST(OutputFolder, LinkToAFolderIsAFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.at("results"));
+  std::filesystem::create_directory_symlink(folder.at("results"), folder.at("link"));
+  OutputFolder(folder.at("link")).write("a.txt", "a");
+  EXPECT_EQ(folder.read("results/a.txt"), "a");
+}
+
 TEST(OutputFolder, OnlyPlainNamesAreWritten) {
   const TemporaryFolder folder;
   const OutputFolder output(folder.path());

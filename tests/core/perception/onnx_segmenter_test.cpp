@@ -158,7 +158,10 @@ TEST(OnnxSegmenter, UnknownLayerIsNamed) {
   EXPECT_NE(sentence.find("OpenCV " + cv::getVersionString() + " cannot use it"), std::string::npos)
       << sentence;
   EXPECT_NE(sentence.find("NoSuchOperator"), std::string::npos) << sentence;
-  EXPECT_NE(sentence.find("/model/odd"), std::string::npos) << sentence;
+  // Before 4.6 OpenCV tells a layer by its first output, not by its name.
+  const bool is_told = sentence.find("/model/odd") != std::string::npos ||
+                       sentence.find("output0") != std::string::npos;
+  EXPECT_TRUE(is_told) << sentence;
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The project's own recording through the nodelets ends with the rooms of `occusg run`."""
+import itertools
 import json
 import os
 import shutil
@@ -14,7 +15,8 @@ import rospy
 import rostest
 from dynamic_reconfigure.client import Client
 from occusg.msg import RoomArray, SceneGraphStamped, SceneGraphUpdate
-from occusg.srv import GetSceneGraph, LoadMap, SaveMap
+from nav_msgs.msg import OccupancyGrid
+from occusg.srv import GetPath, GetSceneGraph, LoadMap, SaveMap
 from rosgraph_msgs.msg import Clock
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -24,6 +26,7 @@ FRAMES = 314
 LAST_STAMP_S = 1000.0 + 62.6  # occusg_play begins at 1000 s
 HOLD_S = 12.0
 CELL_M = 0.025
+ROBOT_RADIUS_M = 0.2
 
 LATE_SUBSCRIBER = """
 import json, rospy
@@ -128,12 +131,12 @@ class DemoTest(unittest.TestCase):
             else:
                 cls.shown[marker.ns, marker.id] = marker
 
-    def reference(self):
-        """What `occusg run` finds in the same recording."""
+    def reference(self, name="rooms.json"):
+        """A result of `occusg run` on the same recording."""
         out = tempfile.mkdtemp(prefix="occusg_demo_test_")
         subprocess.run([rospy.get_param("~command"), "run", rospy.get_param("~sequence"), "-o", out],
                        check=True, stdout=subprocess.DEVNULL)
-        with open(out + "/rooms.json") as file:
+        with open(os.path.join(out, name)) as file:
             return json.load(file)
 
     def test_failure_mode_07_rooms_are_those_of_the_command_line_at_any_rate(self):
@@ -150,6 +153,39 @@ class DemoTest(unittest.TestCase):
         self.assertEqual(
             {frozenset((partner[r.id], partner[n])) for r in self.rooms.rooms for n in r.adjacent},
             {frozenset(door["rooms"]) for door in truth["doors"]})
+
+    def test_objects_are_those_of_the_command_line(self):
+        def by_class(names):
+            return {name: names.count(name) for name in names}
+
+        wanted = by_class([node["class"] for node in self.reference("scene_graph.json")["nodes"]
+                           if node["type"] == "OBJECT"])
+        found = by_class([node.class_name for node in self.graph.objects])
+        self.assertEqual(found, wanted)
+
+    def test_every_path_is_drivable(self):
+        """All cells under a path are free, the robot's radius around them too."""
+        grid = rospy.wait_for_message("/occusg/free_space", OccupancyGrid, 20)
+        cell_m, origin = grid.info.resolution, grid.info.origin.position
+        cells = numpy.array(grid.data).reshape(grid.info.height, grid.info.width)
+        closed = numpy.argwhere(cells != 0)[:, ::-1]
+        closed = (closed + 0.5) * cell_m + (origin.x, origin.y)
+        get_path = rospy.ServiceProxy("/occusg/get_path", GetPath)
+        ids = [room.id for room in self.rooms.rooms]
+        for start, goal in itertools.permutations(ids, 2):
+            way = get_path(start, goal)
+            self.assertTrue(way.success, way.message)
+            self.assertEqual((way.rooms[0], way.rooms[-1]), (start, goal))
+            points = numpy.array([(p.pose.position.x, p.pose.position.y) for p in way.path.poses])
+            steps = numpy.diff(points, axis=0)
+            yaws = [2 * numpy.arctan2(p.pose.orientation.z, p.pose.orientation.w)
+                    for p in way.path.poses[:-1]]
+            numpy.testing.assert_allclose(numpy.cos(yaws), steps[:, 0] / numpy.hypot(*steps.T),
+                                          atol=1e-6)
+            for point in points:
+                near = numpy.hypot(*(closed - point).T).min()
+                # From the middle of a cell on the path to the border of a closed one.
+                self.assertGreater(near, ROBOT_RADIUS_M - 0.5 * cell_m, (start, goal, point))
 
     def test_zz_sessions_go_from_the_nodes_to_the_command_line_and_back(self):
         answer = rospy.ServiceProxy("/occusg/scene_graph/save", SaveMap)("demo_test")

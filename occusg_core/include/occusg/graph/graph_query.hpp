@@ -32,6 +32,15 @@ struct AdjacentRoom {
 /// The rooms beside a room and the doors to them, by id. Empty when there is no such room.
 [[nodiscard]] std::vector<AdjacentRoom> adjacentRooms(const SceneGraph& graph, NodeId room);
 
+/// What a way leads through.
+struct RoomsOnTheWay {
+  std::vector<NodeId> rooms;  ///< In the order they are entered.
+  std::vector<NodeId> doors;  ///< Between rooms that are joined by one, in order.
+};
+
+/// The rooms and doors on the way over `points`.
+[[nodiscard]] RoomsOnTheWay roomsAlong(const SceneGraph& graph, const std::vector<Point2>& points);
+
 /// A way through free space.
 struct Route {
   std::vector<NodeId> nodes;  ///< Navigation nodes in the order of travel.

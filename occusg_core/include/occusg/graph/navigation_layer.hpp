@@ -19,7 +19,8 @@ enum class NavigationNodes {
   /// two lead from one to the other, corners of obstacles cut or not (paper, Sec. 3.4).
   kOnePerBlock,
   /// One node on each connected part of its free cells, joined to the parts it touches; a step past
-  /// a corner needs the cells on both sides of it free.
+  /// a corner needs the cells on both sides of it free, and an edge a straight line over free
+  /// cells.
   kOnePerPart,
 };
 
@@ -78,7 +79,9 @@ class NavigationLayer {
                     NavigationBlock fresh, double stamp_s);
   NodeId place(SceneGraph& graph, const FreeSpace& layer, const Cell& index,
                const NavigationBlock& fresh, const WantedSite& site, double stamp_s) const;
-  void joinBlocks(SceneGraph& graph, const BlockPair& blocks) const;
+  [[nodiscard]] bool isStraightWayFree(const SceneGraph& graph, const FreeSpace& layer, NodeId a,
+                                       NodeId b) const;
+  void joinBlocks(SceneGraph& graph, const FreeSpace& layer, const BlockPair& blocks) const;
 
   NavigationLayerConfig config_;
   double floor_z_m_;
