@@ -100,6 +100,7 @@ occusg_add_floor(graph
     navigation_layer.cpp
     node_table.cpp
     object_layer.cpp
+    printable.cpp
     region_joins.cpp
     region_snapshot.cpp
     relinking.cpp

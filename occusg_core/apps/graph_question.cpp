@@ -52,12 +52,12 @@ class Words {
     return Point2{*x, *y};
   }
 
-  /// "3" or "room_3".
-  [[nodiscard]] std::optional<int> takeRoom() {
-    const std::string prefix = "room_";
-    if (!atEnd() && words_[next_].compare(0, prefix.size(), prefix) == 0)
-      words_[next_].erase(0, prefix.size());
-    return takeNumber<int>();
+  /// All words that are left: a number, an id, a name or a label.
+  [[nodiscard]] std::optional<std::string> takeRoom() {
+    std::string room;
+    while (!atEnd()) room += (room.empty() ? "" : " ") + words_[next_++];
+    if (room.empty()) return std::nullopt;
+    return room;
   }
 
  private:
@@ -104,13 +104,6 @@ std::optional<GraphQuestion> understood(Words& words) {
   return std::nullopt;
 }
 
-NodeId roomOfNumber(const SceneGraph& graph, int number) {
-  for (const auto& [id, node] : graph.nodes(NodeType::kRoom))
-    if (roomNumber(id) == number) return id;
-  throw refuse("scene graph", "has no room " + std::to_string(number),
-               "'occusg show FILE' lists the rooms");
-}
-
 class Answer {
  public:
   explicit Answer(const SceneGraph& graph) : graph_(graph) {
@@ -139,7 +132,7 @@ class Answer {
   }
 
   void operator()(const ContentsQuestion& question) {
-    const std::vector<NodeId> objects = objectsIn(graph_, roomOfNumber(graph_, question.room));
+    const std::vector<NodeId> objects = objectsIn(graph_, roomNamed(graph_, question.room));
     for (const NodeId object : objects) tellObject(object);
     if (objects.empty()) text_ << "none\n";
   }
@@ -155,7 +148,7 @@ class Answer {
   }
 
   void operator()(const AdjacentQuestion& question) {
-    const auto beside = adjacentRooms(graph_, roomOfNumber(graph_, question.room));
+    const auto beside = adjacentRooms(graph_, roomNamed(graph_, question.room));
     for (const AdjacentRoom& adjacent : beside) {
       tellRoom(adjacent.room);
       for (const NodeId door : adjacent.doors) tellDoor(door);
@@ -214,6 +207,11 @@ std::string answerTo(const GraphQuestion& question, const SceneGraph& graph) {
 std::string cell(const std::string& text) {
   constexpr std::size_t kLongest = 24;
   std::string printed = text.substr(0, kLongest);
+  // Not in the middle of a UTF-8 character.
+  const auto continues = [&](std::size_t at) {
+    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  while (continues(printed.size()) && !printed.empty()) printed.pop_back();
   std::replace_if(
       printed.begin(), printed.end(),
       [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }, '?');

@@ -17,14 +17,14 @@ struct WayQuestion {
   Point2 to;
 };
 struct ContentsQuestion {
-  int room = 0;  ///< Its number.
+  std::string room;  ///< Its number, id, name or label.
 };
 struct NearestQuestion {
   std::string class_name;
   Point2 point;
 };
 struct AdjacentQuestion {
-  int room = 0;  ///< Its number.
+  std::string room;  ///< Its number, id, name or label.
 };
 using GraphQuestion =
     std::variant<RoomAtQuestion, WayQuestion, ContentsQuestion, NearestQuestion, AdjacentQuestion>;
@@ -33,7 +33,7 @@ using GraphQuestion =
 inline constexpr const char* kGraphQuestions =
     "  room at X Y            the room that holds this point [m, map frame], or 'none'\n"
     "  way X Y to X Y         the shortest way: its length, its rooms, and the doors between them\n"
-    "  contents of ROOM       the objects in a room, named by its number or as room_<number>\n"
+    "  contents of ROOM       the objects in a room: its number, id, name (room_3) or label\n"
     "  nearest CLASS at X Y   the object of a class that is nearest to a point, or 'none'\n"
     "  adjacent to ROOM       the rooms beside a room, and the doors to them\n";
 

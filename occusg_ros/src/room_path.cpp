@@ -13,14 +13,10 @@
 namespace occusg_ros {
 namespace {
 
-occusg::PathEnd endIn(const occusg::SceneGraph& graph, occusg::NodeId room) {
-  const occusg::Node* const node = graph.find(room);
-  if (node == nullptr || node->type() != occusg::NodeType::kRoom) {
-    throw occusg::refuse("path", "there is no room of id " + std::to_string(room),
-                         "list_rooms tells the ids");
-  }
-  const auto& attributes = std::get<occusg::RoomAttributes>(node->attributes);
-  return {node->groundPosition(), attributes.polygon, "room " + std::to_string(room)};
+occusg::PathEnd endIn(const occusg::SceneGraph& graph, std::int64_t room) {
+  const occusg::Node& node = graph.at(occusg::roomWith(graph, room));
+  const auto& attributes = std::get<occusg::RoomAttributes>(node.attributes);
+  return {node.groundPosition(), attributes.polygon, attributes.name};
 }
 
 /// Each pose looks to the next one, the last one as the one before.
@@ -45,7 +41,7 @@ nav_msgs::Path toPathMsg(const std::vector<occusg::Point2>& points, double heigh
 }  // namespace
 
 RoomPath pathBetween(const occusg::SceneGraph& graph, const occusg::FreeSpace& layer,
-                     occusg::NodeId from, occusg::NodeId to, double robot_radius_m,
+                     std::int64_t from, std::int64_t to, double robot_radius_m,
                      const std_msgs::Header& header) {
   occusg::DrivablePathConfig config;
   config.robot_radius_m = robot_radius_m;
@@ -56,7 +52,8 @@ RoomPath pathBetween(const occusg::SceneGraph& graph, const occusg::FreeSpace& l
   way.length_m = drivable.length_m;
   way.rooms = on_the_way.rooms;
   for (const occusg::NodeId door : on_the_way.doors) way.doors.push_back(toDoorMsg(graph, door));
-  way.path = toPathMsg(drivable.points, graph.at(from).position.z(), header);
+  way.path =
+      toPathMsg(drivable.points, graph.at(occusg::roomWith(graph, from)).position.z(), header);
   return way;
 }
 

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "occusg/error.hpp"
+#include "occusg/graph/graph_query.hpp"
 #include "occusg/pipeline/config_file.hpp"
+#include "occusg/printable.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/room_path.hpp"
@@ -18,11 +20,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{30000};
 constexpr std::size_t kMaxLabelLength = 64;
-
-bool isPrintable(const std::string& text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char c) { return std::isprint(static_cast<unsigned char>(c)) != 0; });
-}
 
 template <typename Response>
 bool answer(Response& response, const std::string& problem, const std::string& success) {
@@ -114,10 +111,10 @@ bool SceneGraphNode::onGetPath(occusg::GetPath::Request& request,
 
 bool SceneGraphNode::onSetRoomLabel(occusg::SetRoomLabel::Request& request,
                                     occusg::SetRoomLabel::Response& response) {
-  if (request.label.size() > kMaxLabelLength || !isPrintable(request.label))
-    return answer(response, "a label has at most 64 bytes of printable ASCII", "");
+  if (request.label.size() > kMaxLabelLength || !occusg::isPrintableUtf8(request.label))
+    return answer(response, "a label has at most 64 bytes of printable UTF-8", "");
   const std::string problem = onWorker([this, id = request.room, label = request.label] {
-    rooms_->setRoomLabel(id, label);
+    rooms_->setRoomLabel(occusg::roomWith(rooms_->graph(), id), label);
     publish(lastGraph()->header);
   });
   return answer(response, problem, "the label is set");

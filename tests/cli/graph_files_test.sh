@@ -41,8 +41,10 @@ answers "contents" "in room 1" show out/scene_graph.json --query "contents of ro
 beside=$("$occusg" show out/scene_graph.json --query "adjacent to 1" | sed -n 's/^room_\([0-9]*\) .*/\1/p' | head -1)
 answers "adjacent rooms" "room_1 " show out/scene_graph.json --query "adjacent to $beside"
 grep -q "^door at .* m wide, between rooms " out.txt || fail "adjacent rooms: their door is missing"
-expect "contents of a room there is not" 1 "has no room 77" show out/scene_graph.json --query "contents of 77"
-for query in "way to the kitchen" "way 1 2 to 3" "nearest at 1 2" "contents of" "adjacent to kitchen" "room at 1 2 3" ""; do
+expect "contents of a room there is not" 1 "has no room of id or number 77" show out/scene_graph.json --query "contents of 77"
+expect "adjacent rooms of a label there is not" 1 "has no room 'wine cellar'; its rooms are 1, " \
+  show out/scene_graph.json --query "adjacent to wine cellar"
+for query in "way to the kitchen" "way 1 2 to 3" "nearest at 1 2" "contents of" "room at 1 2 3" ""; do
   expect "query '$query'" 2 "room at X Y" show out/scene_graph.json --query "$query"
 done
 expect "broken point" 2 "room at X Y" show out/scene_graph.json --query "room at 1"

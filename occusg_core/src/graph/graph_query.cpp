@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "occusg/error.hpp"
 #include "occusg/graph/class_key.hpp"
 
 namespace occusg {
@@ -74,6 +75,18 @@ std::optional<NodeId> doorBetween(const SceneGraph& graph, NodeId a, NodeId b, c
   });
 }
 
+/// "its rooms are 1, 2 and 5", for a sentence.
+std::string roomsIn(const SceneGraph& graph) {
+  constexpr std::size_t kShown = 20;
+  std::string text;
+  std::size_t shown = 0;
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
+    if (++shown > kShown) return "its rooms are " + text + ", ...";
+    text += (text.empty() ? "" : ", ") + std::to_string(roomNumber(id));
+  }
+  return text.empty() ? "it has no rooms" : "its rooms are " + text;
+}
+
 }  // namespace
 
 std::optional<NodeId> roomAt(const SceneGraph& graph, const Point2& point, double tolerance_m) {
@@ -92,6 +105,33 @@ std::optional<NodeId> roomAt(const SceneGraph& graph, const Point2& point, doubl
   }
   if (!best) return std::nullopt;
   return std::get<2>(*best);
+}
+
+NodeId roomWith(const SceneGraph& graph, std::int64_t id_or_number) {
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom))
+    if (id == id_or_number || roomNumber(id) == id_or_number) return id;
+  throw refuse("scene graph", "has no room of id or number " + std::to_string(id_or_number),
+               roomsIn(graph));
+}
+
+NodeId roomNamed(const SceneGraph& graph, const std::string& name) {
+  constexpr std::size_t kMostDigits = 18;
+  const bool is_number = !name.empty() && name.size() <= kMostDigits &&
+                         name.find_first_not_of("0123456789") == std::string::npos;
+  if (is_number) return roomWith(graph, std::stoll(name));
+  std::vector<NodeId> labelled;
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
+    const auto& room = std::get<RoomAttributes>(node.attributes);
+    if (!name.empty() && room.name == name) return id;
+    if (classKey(room.label) == classKey(name)) labelled.push_back(id);
+  }
+  if (labelled.size() == 1) return labelled.front();
+  if (labelled.empty()) throw refuse("scene graph", "has no room '" + name + "'", roomsIn(graph));
+  std::string numbers;
+  for (const NodeId id : labelled)
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(roomNumber(id));
+  throw refuse("scene graph", "has several rooms '" + name + "' (" + numbers + ")",
+               "the number of one is needed");
 }
 
 std::vector<NodeId> objectsIn(const SceneGraph& graph, NodeId room) {

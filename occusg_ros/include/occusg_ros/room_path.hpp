@@ -22,10 +22,11 @@ struct RoomPath {
 
 /// The shortest way through the free space of `layer` on which a robot of the radius touches
 /// nothing, as `occusg::drivablePath` finds it.
+/// @param from, to ids or numbers of rooms.
 /// @param header of the path.
 /// @throws occusg::Error when there is no such room, or no way, and why.
 [[nodiscard]] RoomPath pathBetween(const occusg::SceneGraph& graph, const occusg::FreeSpace& layer,
-                                   occusg::NodeId from, occusg::NodeId to, double robot_radius_m,
+                                   std::int64_t from, std::int64_t to, double robot_radius_m,
                                    const std_msgs::Header& header);
 
 }  // namespace occusg_ros

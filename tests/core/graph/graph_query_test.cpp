@@ -10,6 +10,7 @@
 #include "occusg/error.hpp"
 #include "occusg/graph/room_completeness.hpp"
 #include "occusg/graph/room_labels.hpp"
+#include "occusg/printable.hpp"
 #include "tracked_squares.hpp"
 
 namespace occusg {
@@ -105,6 +106,30 @@ TEST_F(Flat, FindsObjectsByRoomAndByClass) {
   EXPECT_TRUE(objectsIn(graph_, 77).empty());
   EXPECT_EQ(nearestObject(graph_, "dining_table", {0.0, 0.0}), far);
   EXPECT_EQ(nearestObject(graph_, "oven", {0.0, 0.0}), std::nullopt);
+}
+
+TEST_F(Flat, ARoomIsFoundByNumberIdNameAndLabel) {
+  setLabelByPerson(graph_, rooms_[1], "Küche");
+  Node named = graph_.at(rooms_[1]);
+  std::get<RoomAttributes>(named.attributes).name = "room_2";
+  graph_.update(named);
+  for (const std::string& name :
+       {std::string("2"), std::to_string(rooms_[1]), std::string("room_2"), std::string("Küche")})
+    EXPECT_EQ(roomNamed(graph_, name), rooms_[1]) << name;
+  EXPECT_EQ(roomWith(graph_, 2), rooms_[1]);
+  EXPECT_EQ(roomWith(graph_, rooms_[1]), rooms_[1]);
+  for (const char* name : {"7", "bath", "unknown", "", "-1"})
+    EXPECT_THROW((void)roomNamed(graph_, name), Error) << name;
+}
+
+TEST(PrintableUtf8, TakesWordsOfAnyLanguageAndNothingThatHidesOrBreaksALine) {
+  for (const std::string& good : {std::string(), std::string("Küche 2"), std::string("廚房"),
+                                  std::string("\xF0\x9F\x9B\x8B")})
+    EXPECT_TRUE(isPrintableUtf8(good)) << good;
+  const std::vector<std::string> bad = {"a\nb", "\x7F",     "\xC2\x85",     "\xE2\x80\xAE",
+                                        "\xC3", "\xC0\xAF", "\xED\xA0\x80", "\xF5\x80\x80\x80",
+                                        "\x80"};
+  for (const std::string& text : bad) EXPECT_FALSE(isPrintableUtf8(text));
 }
 
 TEST_F(Flat, TellsAdjacentRoomsAndThroughWhichDoor) {

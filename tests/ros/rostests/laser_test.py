@@ -92,6 +92,8 @@ class LaserTest(unittest.TestCase):
         self.assertGreater(way.length, 3.0)
         self.assertEqual(way.path.header.frame_id, "map")
         self.assertFalse(path(first, 77).success)
+        numbers = [room.number for room in self.rooms()]
+        self.assertEqual(list(path(*numbers).rooms), [first, second], "numbers mean the same rooms")
 
     def test_set_room_label(self):
         label = rospy.ServiceProxy("/occusg/set_room_label", SetRoomLabel)
@@ -103,6 +105,8 @@ class LaserTest(unittest.TestCase):
         wait_until(lambda: len(self.regions) >= maintained + 2, 20, "maintenance, twice")
         self.assertEqual(self.rooms()[1].label, "kitchen", "it stays")
         self.assertFalse(label(77, "kitchen").success)
+        self.assertTrue(label(self.rooms()[1].number, "Küche").success)
+        self.assertEqual(self.rooms()[1].label, "Küche")
         self.assertFalse(label(room, "a\nb").success)
         self.assertFalse(label(room, "x" * 65).success)
 

@@ -75,6 +75,11 @@ TEST_F(RoomPathTest, EachPoseLooksToTheNext) {
   }
 }
 
+TEST_F(RoomPathTest, ANumberMeansTheSameRoomAsItsId) {
+  EXPECT_EQ(pathBetween(graph_, layer_, 1, 3, 0.3, header_).rooms,
+            pathBetween(graph_, layer_, rooms_[0], rooms_[2], 0.3, header_).rooms);
+}
+
 TEST_F(RoomPathTest, FromARoomToItselfIsThatRoom) {
   const RoomPath way = pathBetween(graph_, layer_, rooms_[1], rooms_[1], 0.3, header_);
   EXPECT_EQ(way.rooms, std::vector<std::int64_t>{rooms_[1]});
@@ -82,7 +87,7 @@ TEST_F(RoomPathTest, FromARoomToItselfIsThatRoom) {
 }
 
 TEST_F(RoomPathTest, SaysWhyThereIsNoWay) {
-  const auto problem = [&](NodeId from, NodeId to, double radius_m) -> std::string {
+  const auto problem = [&](std::int64_t from, std::int64_t to, double radius_m) -> std::string {
     try {
       (void)pathBetween(graph_, layer_, from, to, radius_m, header_);
     } catch (const occusg::Error& error) {
@@ -90,7 +95,9 @@ TEST_F(RoomPathTest, SaysWhyThereIsNoWay) {
     }
     return "";
   };
-  EXPECT_NE(problem(rooms_[0], 1, 0.2).find("there is no room of id 1"), std::string::npos);
+  EXPECT_NE(
+      problem(rooms_[0], 99, 0.2).find("has no room of id or number 99; its rooms are 1, 2, 3"),
+      std::string::npos);
   EXPECT_NE(problem(rooms_[0], rooms_[2], 0.6).find("lets a radius of 0.4"), std::string::npos)
       << problem(rooms_[0], rooms_[2], 0.6);
   EXPECT_NE(problem(rooms_[0], rooms_[2], 1.5).find("has no free place"), std::string::npos);

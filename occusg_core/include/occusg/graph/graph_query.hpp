@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,15 @@ namespace occusg {
 /// `tolerance_m` away.
 [[nodiscard]] std::optional<NodeId> roomAt(const SceneGraph& graph, const Point2& point,
                                            double tolerance_m = 0.0);
+
+/// The room of an id, or of a number: ids of rooms begin far above the highest number.
+/// @throws Error when there is none.
+[[nodiscard]] NodeId roomWith(const SceneGraph& graph, std::int64_t id_or_number);
+
+/// The room of a number ("3"), an id ("4000002"), a name ("room_3"), or a label that only one room
+/// has ("kitchen"; compared by `classKey`).
+/// @throws Error when there is none, or several rooms have the label.
+[[nodiscard]] NodeId roomNamed(const SceneGraph& graph, const std::string& name);
 
 /// The objects in a room, by id. Empty when there is no such room.
 [[nodiscard]] std::vector<NodeId> objectsIn(const SceneGraph& graph, NodeId room);
