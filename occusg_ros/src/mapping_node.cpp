@@ -19,6 +19,7 @@
 #include "occusg_ros/gap_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
+#include "occusg_ros/live_values.hpp"
 #include "occusg_ros/saved_folder.hpp"
 #include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/topic_names.hpp"
@@ -224,12 +225,20 @@ void MappingNode::onClockJump() {
 
 void MappingNode::onReconfigure(occusg::MappingLiveConfig& live, std::uint32_t /*level*/) {
   const CallbackTimes::Timing timing(callbacks_, "reconfigure");
+  const MappingLive in_use = this->live();
+  LiveValues values;
   MappingLive changed;
-  changed.tf_timeout_s = live.tf_timeout_s;
-  changed.voxels_period_s = live.voxels_period_s;
-  changed.pose_gate.max_jump_m = live.max_pose_jump_m;
-  changed.pose_gate.max_jump_rad = live.max_pose_jump_rad;
+  changed.tf_timeout_s = values.finite("tf_timeout_s", live.tf_timeout_s, in_use.tf_timeout_s);
+  changed.voxels_period_s =
+      values.finite("voxels_period_s", live.voxels_period_s, in_use.voxels_period_s);
+  changed.pose_gate.max_jump_m =
+      values.finite("max_pose_jump_m", live.max_pose_jump_m, in_use.pose_gate.max_jump_m);
+  changed.pose_gate.max_jump_rad =
+      values.finite("max_pose_jump_rad", live.max_pose_jump_rad, in_use.pose_gate.max_jump_rad);
   changed.pose_gate.frames_to_accept = live.pose_jump_frames;
+  if (!values.refused().empty()) {
+    ROS_WARN_STREAM(handles_.name << ": not a finite number, and not used: " << values.refused());
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   live_ = changed;
 }

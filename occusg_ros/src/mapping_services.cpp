@@ -3,6 +3,7 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <ostream>
 #include <utility>
 
 #include "mapping_node.hpp"
@@ -11,6 +12,7 @@
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/session_folder.hpp"
+#include "occusg_ros/chunked_buffer.hpp"
 #include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
@@ -44,12 +46,15 @@ std::string MappingNode::folderOf(const std::string& name) const {
 }
 
 Saver::Writing MappingNode::writingTo(const std::string& name) const {
-  return [this, name,
-          tree = occusg::toOctomap(map_->occupancyMap().tree(), occusg::OctomapEncoding::kFull),
+  // A copy of the bytes: the tree itself goes on changing.
+  const auto tree = std::make_shared<ChunkedBuffer>();
+  std::ostream stream(tree.get());
+  occusg::writeOctomap(map_->occupancyMap().tree(), occusg::OctomapEncoding::kFull, stream);
+  return [this, name, tree = std::shared_ptr<const ChunkedBuffer>(tree),
           layer = occusg::toMapFiles(map_->freeSpace(), "free_space.pgm")] {
     if (name == kDefaultSaveName) generations_.makeRoom();
     const occusg::OutputFolder files(folderOf(name));
-    files.write(kMapFile, tree);
+    (void)files.write(kMapFile, [&tree](std::ostream& out) { tree->writeTo(out); });
     files.write("free_space.pgm", layer.pgm);
     files.write("free_space.yaml", layer.yaml);
   };

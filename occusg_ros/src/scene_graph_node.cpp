@@ -15,6 +15,7 @@
 #include "occusg_ros/gap_conversions.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/grid_conversions.hpp"
+#include "occusg_ros/live_values.hpp"
 #include "occusg_ros/pose_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
 #include "occusg_ros/stamp_gate.hpp"
@@ -253,16 +254,27 @@ void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detectio
 
 void SceneGraphNode::onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint32_t /*level*/) {
   const CallbackTimes::Timing timing(callbacks_, "reconfigure");
+  MarkerLayout in_use;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    in_use = layout_;
+  }
+  LiveValues values;
   MarkerLayout layout;
-  layout.room_height_m = live.room_height_m;
-  layout.object_height_m = live.object_height_m;
-  layout.navigation_height_m = live.navigation_height_m;
-  layout.room_opacity = live.room_opacity;
+  layout.room_height_m = values.finite("room_height_m", live.room_height_m, in_use.room_height_m);
+  layout.object_height_m =
+      values.finite("object_height_m", live.object_height_m, in_use.object_height_m);
+  layout.navigation_height_m =
+      values.finite("navigation_height_m", live.navigation_height_m, in_use.navigation_height_m);
+  layout.room_opacity = values.finite("room_opacity", live.room_opacity, in_use.room_opacity);
   layout.show_regions = live.show_regions;
   layout.show_containment = live.show_containment;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     layout_ = layout;
+  }
+  if (!values.refused().empty()) {
+    ROS_WARN_STREAM(handles_.name << ": not a finite number, and not used: " << values.refused());
   }
   // The first call comes before there is a worker.
   if (worker_) worker_->post([this] { publishMarkers(lastGraph()->header); });

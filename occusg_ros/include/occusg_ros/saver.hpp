@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
+#include <condition_variable>
 #include <functional>
-#include <future>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace occusg_ros {
 
 /// Writes what a node knows, one writing at a time. From time to time it does so on a thread of its
-/// own: a slow disk must not keep the node from its work.
+/// own, which lives as long as the saver: a slow disk must not keep the node from its work, and a
+/// thread for each writing would leave the allocator a heap each.
 class Saver {
  public:
   /// Writes a copy of what was known; throws when it cannot.
@@ -35,11 +38,19 @@ class Saver {
   void write(const Writing& writing);
 
  private:
+  void loop();
+  void writeAndReport(const Writing& writing);
+
   double period_s_;
   double last_s_;
   Report report_;
   std::mutex writing_mutex_;  ///< Held while something is written.
-  std::future<void> background_;
+  std::atomic<bool> is_busy_{false};
+  std::mutex mutex_;  ///< Of `next_` and `stopping_`.
+  std::condition_variable changed_;
+  Writing next_;
+  bool stopping_ = false;
+  std::thread thread_;  // last: it uses the others
 };
 
 }  // namespace occusg_ros

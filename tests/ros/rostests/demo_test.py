@@ -230,6 +230,17 @@ class DemoTest(unittest.TestCase):
         wait_until(lambda: all(m.pose.position.z == 9.0 for (ns, _), m in self.shown.items()
                                if ns == "rooms"), 10, "rooms float higher")
 
+    def test_failure_mode_18_what_is_no_number_is_refused_live(self):
+        for node, name in (("/mapping", "max_pose_jump_m"), ("/mapping", "tf_timeout_s"),
+                           ("/scene_graph", "room_opacity")):
+            client = Client("/occusg" + node, timeout=20)
+            before = client.get_configuration()[name]
+            for value in (float("nan"), float("inf"), -float("inf")):
+                after = client.update_configuration({name: value})[name]
+                self.assertTrue(numpy.isfinite(after), name)
+                if numpy.isnan(value):
+                    self.assertEqual(after, before, name)
+
 
 if __name__ == "__main__":
     rostest.rosrun("occusg", "demo_test", DemoTest, sys.argv)

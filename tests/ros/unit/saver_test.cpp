@@ -5,9 +5,14 @@
 
 #include <atomic>
 #include <future>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include "occusg_ros/chunked_buffer.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -33,6 +38,37 @@ TEST(Saver, FailureMode15SlowDiskKeepsNobodyWaitingAndNothingPilesUp) {
   EXPECT_FALSE(saver.isDue(20.0)) << "the first is still being written";
   disk.set_value();
   EXPECT_EQ(reported.get_future().get(), "");
+}
+
+TEST(Saver, FailureMode20AllIsWrittenOnOneThread) {
+  std::set<std::thread::id> threads;
+  Saver saver(1.0, 0.0, [](const std::string&) {});
+  for (int i = 1; i <= 20; ++i) {
+    std::promise<void> written;
+    saver.writeInBackground(10.0 * i, [&] {
+      threads.insert(std::this_thread::get_id());
+      written.set_value();
+    });
+    written.get_future().wait();
+    while (!saver.isDue(10.0 * i + 5.0)) std::this_thread::yield();
+  }
+  EXPECT_EQ(threads.size(), 1U);
+}
+
+TEST(ChunkedBuffer, GivesBackWhatWasWrittenWhateverItsLength) {
+  for (const std::size_t length : {0U, 1U, 262'144U, 1'000'000U}) {
+    std::string bytes(length, '\0');
+    for (std::size_t i = 0; i < length; ++i) bytes[i] = static_cast<char>(i * 31U);
+    ChunkedBuffer buffer;
+    std::ostream stream(&buffer);
+    stream.put('a');
+    stream << bytes;
+    stream.write(bytes.data(), static_cast<std::streamsize>(length));
+    std::ostringstream copy;
+    buffer.writeTo(copy);
+    EXPECT_EQ(copy.str(), "a" + bytes + bytes);
+    EXPECT_EQ(buffer.size(), copy.str().size());
+  }
 }
 
 TEST(Saver, FailureMode16WhatGoesWrongIsReported) {
