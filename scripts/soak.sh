@@ -15,15 +15,22 @@ set -u
 work=$(mktemp -d)
 port=$((20000 + RANDOM % 10000))
 export ROS_MASTER_URI=http://127.0.0.1:$port ROS_HOME=$work ROS_IP=127.0.0.1
-roslaunch -p "$port" occusg replay.launch sequence:="$root/examples/apartment" rate:=10 loop:=true hold:=1 \
-  autosave_period_s:=1.0 save_folder:="$work/saved" > "$work/log" 2>&1 &
+# A busy machine takes longer to start the master than roslaunch waits for it.
+rosmaster --core -p "$port" > "$work/master.log" 2>&1 &
+master=$!
+for ((waited = 0; waited < 120; waited++)); do
+  if rosparam list > /dev/null 2>&1; then break; fi
+  sleep 1
+done
+roslaunch occusg replay.launch sequence:="$root/examples/apartment" rate:=10 loop:=true hold:=1 \
+  autosave_period_s:=1.0 save_folder:="$work/saved" > "$work/roslaunch.log" 2>&1 &
 launch=$!
-trap 'kill -INT $launch 2> /dev/null; wait $launch 2> /dev/null || true; rm -rf --one-file-system "$work"' EXIT
+trap 'kill -INT $launch 2> /dev/null; wait $launch 2> /dev/null || true; kill $master 2> /dev/null; rm -rf --one-file-system "$work"' EXIT
 
 # Resident memory of the manager [MB].
 resident() {
   local pid
-  pid=$(pgrep -f "__name:=manager __log:=$work" | head -n 1) || return 1
+  pid=$(pgrep -f "__name:=manager __log:=$work/" | head -n 1) || return 1
   awk '/^VmRSS/ {print int($2 / 1024)}' "/proc/$pid/status"
 }
 for ((waited = 0; waited < 60; waited++)); do
@@ -34,7 +41,7 @@ first=
 for ((second = 0; second <= seconds; second += 10)); do
   if ! now=$(resident) || [ -z "$now" ]; then
     echo "soak.sh: the nodelets' process is gone after $second s; the end of its log:" >&2
-    tail -n 20 "$work/log" >&2
+    tail -n 20 "$work/roslaunch.log" >&2
     exit 1
   fi
   if [ "$second" -eq 60 ]; then first=$now; fi

@@ -6,6 +6,7 @@
 
 #include "occusg/error.hpp"
 #include "occusg/mapping/free_space_cells.hpp"
+#include "occusg_ros/shown_text.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -50,8 +51,8 @@ nav_msgs::OccupancyGrid updated(const nav_msgs::OccupancyGrid& grid,
                                 const map_msgs::OccupancyGridUpdate& update,
                                 const std::string& where) {
   if (update.header.frame_id != grid.header.frame_id) {
-    throw occusg::refuse(where, "the part's frame is '" + update.header.frame_id + "'",
-                         "the map's is '" + grid.header.frame_id + "'");
+    throw occusg::refuse(where, "the part's frame is '" + shownName(update.header.frame_id) + "'",
+                         "the map's is '" + shownName(grid.header.frame_id) + "'");
   }
   const std::uint64_t cells = std::uint64_t{update.width} * update.height;
   if (cells != update.data.size()) {

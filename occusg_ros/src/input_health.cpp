@@ -4,6 +4,8 @@
 #include <chrono>
 #include <numeric>
 
+#include "occusg_ros/shown_text.hpp"
+
 namespace occusg_ros {
 namespace {
 
@@ -55,7 +57,7 @@ void InputHealth::noteUsed() {
 void InputHealth::noteDropped(Drop drop, const std::string& sentence, std::size_t count) {
   const std::lock_guard<std::mutex> lock(mutex_);
   counts_.dropped[static_cast<std::size_t>(drop)] += count;
-  if (!sentence.empty()) counts_.last_problem = sentence;
+  if (!sentence.empty()) counts_.last_problem = shownText(sentence);
 }
 
 InputHealth::Counts InputHealth::counts() const {

@@ -47,12 +47,17 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
     camera_frame = camera_frame_;
   }
   const double mebibytes = static_cast<double>(map.map_bytes) / kBytesPerMebibyte;
-  if (counts.received == 0) {
+  const std::string clock_problem = clock_.problem();
+  if (!clock_problem.empty()) {
+    status.summary(Level::ERROR, clock_problem);
+  } else if (counts.received == 0) {
     status.summary(Level::WARN, "no depth image yet");
   } else if (counts.used == 0) {
     status.summary(Level::ERROR, "no depth image could be used: " + counts.last_problem);
   } else if (paused_) {
     status.summary(Level::OK, "paused");
+  } else if (age_s > kOld_s && map.counts.frames_without_memory > 0) {
+    status.summary(Level::ERROR, "the map is full: " + counts.last_problem);
   } else if (age_s > kOld_s) {
     status.summary(Level::WARN, "no usable depth image for " + std::to_string(age_s) + " s");
   } else if (mostAreDropped(counts)) {
@@ -80,11 +85,19 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("map nodes", map.map_nodes);
   status.add("map memory [MiB]", mebibytes);
   status.add("points outside the map", map.counts.points_outside_map);
-  status.add("frames outside the map", map.counts.framesMisplaced());
+  status.add("frames misplaced", map.counts.framesMisplaced());
+  status.add("frames outside the map", map.counts.frames_outside_map);
+  status.add("frames too fast", map.counts.frames_too_fast);
+  status.add("frames beyond the layer's span", map.counts.frames_beyond_span);
+  status.add("frames from inside an obstacle", map.counts.frames_from_occupied);
+  status.add("frames without depth", map.counts.frames_without_depth);
+  status.add("frames without memory", map.counts.frames_without_memory);
+  status.add("far islands cut off the loaded map", map.cut_islands);
   status.add("pixels: zero", map.counts.pixel_drops.zero);
   status.add("pixels: NaN", map.counts.pixel_drops.nan);
   status.add("pixels: infinite", map.counts.pixel_drops.infinite);
   status.add("pixels: negative", map.counts.pixel_drops.negative);
+  status.add("pixels: implausible", map.counts.pixel_drops.implausible);
   callbacks_.describe(status);
   map.saves.describe(status, steadySeconds());
 }

@@ -21,6 +21,7 @@
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/live_values.hpp"
 #include "occusg_ros/saved_folder.hpp"
+#include "occusg_ros/shown_text.hpp"
 #include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/topic_names.hpp"
 
@@ -120,7 +121,7 @@ void MappingNode::drop(Drop reason, const std::string& sentence, std::size_t cou
   if (count == 0) return;
   health_.noteDropped(reason, sentence, count);
   if (!sentence.empty() && drop_warnings_.allows())
-    ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
+    ROS_WARN_STREAM(handles_.name << ": image not used: " << shownText(sentence));
 }
 
 void MappingNode::onFailure(const Failure& failure) noexcept {
@@ -432,6 +433,7 @@ void MappingNode::noteStatus(double lag_s) {
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   status_.counts = map_->counts();
+  status_.cut_islands = map_->occupancyMap().cutIslands().islands;
   status_.map_nodes = map_->occupancyMap().tree().size();
   status_.map_bytes = map_->occupancyMap().memoryBytes();
   status_.last_lag_s = lag_s;

@@ -67,6 +67,7 @@ class MappingNode {
   struct Status {
     occusg::MapCounts counts;
     occusg::StageSummary frame_times;
+    std::size_t cut_islands = 0;  ///< Of the map that was loaded.
     std::size_t map_nodes = 0;
     std::size_t map_bytes = 0;
     double last_lag_s = 0.0;  ///< From a frame's arrival to its layer.

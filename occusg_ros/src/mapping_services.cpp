@@ -84,6 +84,8 @@ void MappingNode::load(const std::string& name) {
   // Into a fresh one: a file that cannot be used leaves the live map as it is.
   auto loaded = std::make_unique<occusg::MapPipeline>(config_);
   loaded->startFrom(occusg::readOctomap(mapFileIn(folderOf(name)), config_.occupancy));
+  const occusg::FarIslands& cut = loaded->occupancyMap().cutIslands();
+  if (!cut.none()) ROS_WARN_STREAM(handles_.name << ": " << name << ": " << sentenceOn(cut));
   map_ = std::move(loaded);
   showNewMap();
 }

@@ -32,10 +32,19 @@ void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& statu
     detections = detections_received_;
     refused_detections = detections_refused_;
   }
-  if (counts.received == 0) {
+  const std::string clock_problem = clock_.problem();
+  const std::size_t not_used = counts.of(Drop::kImage) + counts.of(Drop::kStamp) +
+                               counts.of(Drop::kMap) + counts.of(Drop::kNoTransform);
+  if (!clock_problem.empty()) {
+    status.summary(Level::ERROR, clock_problem);
+  } else if (counts.received == 0) {
     status.summary(Level::WARN, "no free space yet");
   } else if (counts.used == 0) {
     status.summary(Level::ERROR, "no free space could be used: " + counts.last_problem);
+  } else if (!paused_ && 2 * not_used > counts.received) {
+    status.summary(Level::WARN, "more than half of the maps are dropped: " + counts.last_problem);
+  } else if (!paused_ && 2 * refused_detections > detections) {
+    status.summary(Level::WARN, "more than half of the detections are refused");
   } else if (!paused_ && graph.rooms == 0) {
     status.summary(Level::WARN, "no rooms: " + graph.why_no_rooms);
   } else {

@@ -18,6 +18,7 @@
 #include "occusg_ros/live_values.hpp"
 #include "occusg_ros/pose_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
+#include "occusg_ros/shown_text.hpp"
 #include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/topic_names.hpp"
 
@@ -165,8 +166,8 @@ void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
   if (refusesStamp(grid->header.stamp, grid_subscriber_.getTopic())) return;
   const std::string& frame = grid->header.frame_id;
   if (frameName(frame) != frameName(settings_.map_frame)) {
-    const std::string problem = grid_subscriber_.getTopic() + ": its frame is '" + frame +
-                                "'; ~map_frame is '" + settings_.map_frame + "'";
+    const std::string problem = grid_subscriber_.getTopic() + ": its frame is '" +
+                                shownName(frame) + "'; ~map_frame is '" + settings_.map_frame + "'";
     health_.noteDropped(Drop::kImage, problem);
     if (map_warnings_.allows()) ROS_WARN_STREAM(handles_.name << ": map not used: " << problem);
     return;
@@ -195,7 +196,7 @@ void SceneGraphNode::onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& u
     health_.noteReceived();
     health_.noteDropped(Drop::kImage, error.what());
     if (map_warnings_.allows())
-      ROS_WARN_STREAM(handles_.name << ": map not used: " << error.what());
+      ROS_WARN_STREAM(handles_.name << ": map not used: " << shownText(error.what()));
   }
 }
 
@@ -227,13 +228,14 @@ void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detectio
   ReceivedDetections received = toDetections(*detections);
   const std::string& frame = detections->header.frame_id;
   if (frameName(frame) != frameName(settings_.map_frame)) {
-    received = {{},
-                detections->detections.size(),
-                "their frame is '" + frame + "'; ~map_frame is '" + settings_.map_frame + "'"};
+    received = {
+        {},
+        detections->detections.size(),
+        "their frame is '" + shownName(frame) + "'; ~map_frame is '" + settings_.map_frame + "'"};
   }
   if (received.refused > 0 && detection_warnings_.allows()) {
     ROS_WARN_STREAM(handles_.name << ": " << received.refused
-                                  << " detections refused: " << received.first_refusal);
+                                  << " detections refused: " << shownText(received.first_refusal));
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -315,7 +317,7 @@ Worker::Progress SceneGraphNode::step() {
   } catch (const std::exception& error) {
     health_.noteDropped(Drop::kMap, error.what());
     if (map_warnings_.allows())
-      ROS_WARN_STREAM(handles_.name << ": map not used: " << error.what());
+      ROS_WARN_STREAM(handles_.name << ": map not used: " << shownText(error.what()));
   }
   return Worker::Progress::kWorked;
 }

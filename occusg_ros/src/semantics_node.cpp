@@ -14,6 +14,7 @@
 #include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/image_conversions.hpp"
+#include "occusg_ros/shown_text.hpp"
 #include "occusg_ros/stamp_gate.hpp"
 #include "occusg_ros/topic_names.hpp"
 
@@ -79,7 +80,7 @@ void SemanticsNode::drop(Drop reason, const std::string& sentence, std::size_t c
   if (count == 0) return;
   health_.noteDropped(reason, sentence, count);
   if (!sentence.empty() && warnings_.allows())
-    ROS_WARN_STREAM(handles_.name << ": image not used: " << sentence);
+    ROS_WARN_STREAM(handles_.name << ": image not used: " << shownText(sentence));
 }
 
 void SemanticsNode::onViews(const sensor_msgs::ImageConstPtr& color,
@@ -214,7 +215,10 @@ void SemanticsNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status
     times = times_.summary(occusg::Stage::kTotal);
     detections = detections_;
   }
-  if (counts.received == 0) {
+  const std::string clock_problem = clock_.problem();
+  if (!clock_problem.empty()) {
+    status.summary(Level::ERROR, clock_problem);
+  } else if (counts.received == 0) {
     status.summary(Level::WARN, "no images that belong together yet");
   } else if (counts.used == 0) {
     status.summary(Level::ERROR, "no image could be used: " + counts.last_problem);

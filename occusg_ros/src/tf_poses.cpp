@@ -8,11 +8,14 @@
 
 #include "occusg/error.hpp"
 #include "occusg_ros/pose_conversions.hpp"
+#include "occusg_ros/shown_text.hpp"
 
 namespace occusg_ros {
 namespace {
 
 using Kind = PoseAnswer::Kind;
+
+constexpr std::size_t kLongestFrame = 200;
 
 // What tf can extrapolate neither now nor later: data older than the oldest it has.
 bool isTooOld(const tf2::BufferCore& tf, const std::string& target, const std::string& source,
@@ -35,9 +38,14 @@ PoseAnswer poseAt(const tf2::BufferCore& tf, const std::string& target_frame,
                   const std::string& source_frame, const ros::Time& stamp) {
   const std::string target = frameName(target_frame);
   const std::string source = frameName(source_frame);
-  const std::string name = "transform " + target + " <- " + source;
+  const std::string name = "transform " + shownName(target) + " <- " + shownName(source);
   if (source.empty())
     return {Kind::kUnusable, occusg::Pose::Identity(), name + ": the frame has no name"};
+  // tf repeats the name in what it says, several times.
+  if (source.size() > kLongestFrame) {
+    return {Kind::kUnusable, occusg::Pose::Identity(),
+            name + ": the frame's name is longer than any frame's"};
+  }
   try {
     return {Kind::kFound, toPose(tf.lookupTransform(target, source, stamp).transform, name), ""};
   } catch (const tf2::ExtrapolationException& error) {

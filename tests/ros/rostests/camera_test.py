@@ -204,7 +204,7 @@ class CameraTest(unittest.TestCase):
             self.robot.send_frame(self.step(1.5), x=5000.0)
             return 1
         self.refused("refused_by_map", send)
-        self.diagnostics.wait_for("frames outside the map", 1)
+        self.diagnostics.wait_for("frames misplaced", 1)
         self.step(2.0)
         self.drive(1)
 
