@@ -144,6 +144,8 @@ bool MappingNode::onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Res
   const bool done = worker_->run(
       [this, name = request.name, outcome] {
         try {
+          checkQuota(expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()),
+                     checkedSaveName(name), settings_.save_quota);
           outcome->folder = save(name);
         } catch (const std::exception& error) {
           outcome->problem = error.what();

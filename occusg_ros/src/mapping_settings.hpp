@@ -8,6 +8,7 @@
 #include "occusg_ros/parameters.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
+#include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
 
@@ -37,6 +38,7 @@ struct MappingSettings {
   bool save_on_exit = true;
   double autosave_period_s = 30.0;
   std::string save_folder;
+  SaveQuota save_quota;
   std::string resume;
   MappingLive live;
 };
@@ -83,6 +85,12 @@ struct MappingSettings {
           settings.autosave_period_s, {0.0, 86400.0},
           {"autosave_period_s", "s",
            "The map is saved as 'last' so often while it changes; 0: only at the end."}),
+      countParameter(
+          settings.save_quota.max_saves, {1, 100'000},
+          {"max_saves", "", "Most names under which the service ~save keeps something."}),
+      numberParameter(
+          settings.save_quota.min_free_disk_mb, {0.0, 1e9},
+          {"min_free_disk_mb", "MB", "What the service ~save leaves free on the disk."}),
       textParameter(
           settings.save_folder,
           {"save_folder", "",

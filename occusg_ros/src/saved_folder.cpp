@@ -54,6 +54,29 @@ std::string expandedFolder(const std::string& folder, const std::string& node_na
   return home + folder.substr(1);
 }
 
+void checkQuota(const std::string& save_folder, const std::string& name, const SaveQuota& quota) {
+  namespace fs = std::filesystem;
+  if (name == kDefaultSaveName) return;
+  std::error_code failed;
+  const fs::space_info space = fs::space(save_folder, failed);
+  constexpr double kBytesPerMb = 1e6;
+  const double free_mb = static_cast<double>(space.available) / kBytesPerMb;
+  if (!failed && free_mb < quota.min_free_disk_mb) {
+    throw occusg::refuse(save_folder,
+                         std::to_string(static_cast<long>(free_mb)) + " MB are free on its disk",
+                         "min_free_disk_mb must stay free for the autosave");
+  }
+  if (fs::exists(fs::path(save_folder) / name, failed)) return;
+  int saves = 0;
+  for (fs::directory_iterator it(save_folder, failed), end; !failed && it != end;
+       it.increment(failed))
+    saves += it->is_directory(failed) ? 1 : 0;
+  if (saves >= quota.max_saves) {
+    throw occusg::refuse(save_folder, "it holds " + std::to_string(saves) + " saves already",
+                         "remove some, use a name that is there, or raise max_saves");
+  }
+}
+
 std::string sessionIn(const std::string& folder) { return folder + "/session"; }
 
 std::string mapFileIn(const std::string& folder) {

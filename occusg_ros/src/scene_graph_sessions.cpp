@@ -154,7 +154,11 @@ std::string SceneGraphNode::askMapping(const std::string& service,
 bool SceneGraphNode::onSave(occusg::SaveMap::Request& request,
                             occusg::SaveMap::Response& response) {
   const auto folder = std::make_shared<std::string>();
-  std::string problem = onWorker([this, name = request.name, folder] { *folder = save(name); });
+  std::string problem = onWorker([this, name = request.name, folder] {
+    checkQuota(expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()),
+               checkedSaveName(name), settings_.save_quota);
+    *folder = save(name);
+  });
   if (problem.empty()) problem = askMapping<occusg::SaveMap>("save", request);
   response.success = problem.empty();
   response.message = problem.empty() ? "saved" : problem;

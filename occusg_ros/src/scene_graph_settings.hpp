@@ -8,6 +8,7 @@
 #include "occusg/pipeline/parameter.hpp"
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/parameters.hpp"
+#include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
 
@@ -31,6 +32,7 @@ struct SceneGraphSettings {
   bool save_on_exit = true;
   double autosave_period_s = 30.0;
   std::string save_folder;
+  SaveQuota save_quota;
   std::string resume;
   std::string mapping_node = "mapping";
   MarkerLayout layout;
@@ -45,6 +47,7 @@ struct SceneGraphSettings {
 /// @param settings outlives the parameters.
 [[nodiscard]] inline std::vector<occusg::Parameter> parametersOf(SceneGraphSettings& settings) {
   using occusg::choiceParameter;
+  using occusg::countParameter;
   using occusg::numberParameter;
   const std::vector<std::pair<std::string, bool>> kYesNo = {{"true", true}, {"false", false}};
   MarkerLayout& layout = settings.layout;
@@ -84,6 +87,12 @@ struct SceneGraphSettings {
           settings.autosave_period_s, {0.0, 86400.0},
           {"autosave_period_s", "s",
            "The rooms are saved as 'last' so often while they change; 0: only at the end."}),
+      countParameter(
+          settings.save_quota.max_saves, {1, 100'000},
+          {"max_saves", "", "Most names under which the service ~save keeps something."}),
+      numberParameter(
+          settings.save_quota.min_free_disk_mb, {0.0, 1e9},
+          {"min_free_disk_mb", "MB", "What the service ~save leaves free on the disk."}),
       textParameter(
           settings.save_folder,
           {"save_folder", "",

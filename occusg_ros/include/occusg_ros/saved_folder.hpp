@@ -19,6 +19,15 @@ inline constexpr const char* kDefaultSaveName = "last";
 [[nodiscard]] std::string expandedFolder(const std::string& folder,
                                          const std::string& node_namespace = "/");
 
+/// What peers may fill the disk with by asking for saves of ever other names.
+struct SaveQuota {
+  int max_saves = 100;              ///< Names in the folder; the autosave's generations count.
+  double min_free_disk_mb = 200.0;  ///< What a save leaves free, for the autosave [MB].
+};
+
+/// @throws occusg::Error when a save of this name would go beyond the quota; "last" never does.
+void checkQuota(const std::string& save_folder, const std::string& name, const SaveQuota& quota);
+
 /// The file of the 3D map in a folder that was saved; a session that `occusg run` saved has it
 /// inside.
 [[nodiscard]] std::string mapFileIn(const std::string& folder);
