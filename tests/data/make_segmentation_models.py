@@ -76,13 +76,14 @@ def prediction_nodes(values, padded_shape):
     missing = [padded - given for padded, given in zip(padded_shape, values.shape)]
     nodes = [
         helper.make_node("GlobalAveragePool", ["images"], ["mean"], name="mean"),
-        helper.make_node("Flatten", ["mean"], ["colour"], name="colour", axis=1),
-        helper.make_node("Gemm", ["colour", "zero", "values"], ["flat"], name="flat", transB=1),
+        # Not Gemm: OpenCV 4.10 cannot import one whose input has no fixed size.
+        helper.make_node("Conv", ["mean", "zero", "values"], ["flat"], name="flat",
+                         kernel_shape=[1, 1]),
         helper.make_node("Reshape", ["flat", "shape"], ["given"], name="given"),
         helper.make_node("Pad", ["given"], ["output0"], name="padded", pads=[0, 0, 0, 0] + missing),
     ]
     constants = [
-        weights("zero", np.zeros((values.size, 3))),
+        weights("zero", np.zeros((values.size, 3, 1, 1))),
         weights("values", values.reshape(-1)),
         weights("shape", (1, ) + values.shape, np.int64),
     ]
