@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "mapping_node.hpp"
+#include "occusg_ros/what_is_there.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -32,7 +33,14 @@ void MappingNode::checkHealth() {
                              info_subscriber_.getNumPublishers()}},
                            counts.last_problem.empty() ? tfProblem() : counts.last_problem,
                            steadySeconds() - started_s_);
-  if (!missing.empty()) ROS_WARN_STREAM(handles_.name << ": nothing is mapped: " << missing);
+  if (missing.empty()) return;
+  std::string instead;
+  if (counts.received == 0)
+    instead += publishedInstead(image_subscriber_.getTopic(), "sensor_msgs/Image");
+  if (infos_received_ == 0)
+    instead += publishedInstead(info_subscriber_.getTopic(), "sensor_msgs/CameraInfo");
+  if (counts.received > 0 && infos_received_ > 0) instead += framesInstead(tf_);
+  ROS_WARN_STREAM(handles_.name << ": nothing is mapped: " << missing << instead);
 }
 
 void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -113,6 +113,14 @@ void MappingNode::subscribe() {
       guardedCallback(this, &MappingNode::onImage, "a depth image"), ros::VoidPtr(),
       image_transport::TransportHints(settings_.image_transport, ros::TransportHints(),
                                       handles_.parameters));
+  const bool has_odometry = settings_.pose_source == PoseSource::kOdometry;
+  const std::string& given = has_odometry ? settings_.odom : settings_.pose;
+  pose_input_ = std::make_unique<PoseInput>(
+      handles_.inputs,
+      PoseInputConfig{settings_.pose_source,
+                      inputTopic(place, given, has_odometry ? "odom" : "pose"), settings_.map_frame,
+                      settings_.robot_frame},
+      tf_);
   health_timer_ = handles_.inputs.createWallTimer(
       ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { checkHealth(); });
 }

@@ -155,6 +155,7 @@ class MappingNode {
 
   tf2_ros::Buffer tf_;
   TfInput tf_input_;
+  std::unique_ptr<PoseInput> pose_input_;
   ros::Publisher layer_publisher_;
   ros::Publisher fill_publisher_;
   ros::Publisher gaps_publisher_;

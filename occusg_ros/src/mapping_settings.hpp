@@ -8,6 +8,7 @@
 #include "occusg_ros/parameters.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
+#include "occusg_ros/pose_input.hpp"
 #include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
@@ -25,6 +26,10 @@ struct MappingLive {
 /// The parameters of occusg/mapping besides those of the pipeline.
 struct MappingSettings {
   std::string map_frame = "map";
+  std::string robot_frame = "base_link";
+  PoseSource pose_source = PoseSource::kTf;
+  std::string odom;
+  std::string pose;
   std::string depth_image;
   std::string depth_info;
   std::string image_transport = "raw";
@@ -52,6 +57,18 @@ struct MappingSettings {
   MappingLive& live = settings.live;
   return {
       textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
+      textParameter(settings.robot_frame,
+                    {"robot_frame", "", "Whose pose comes with pose_source odometry or pose."}),
+      choiceParameter<PoseSource>(
+          settings.pose_source,
+          {{"tf", PoseSource::kTf},
+           {"odometry", PoseSource::kOdometry},
+           {"pose", PoseSource::kPose}},
+          {"pose_source", "", "Where the robot's pose comes from; the camera's mount is tf's."}),
+      textParameter(
+          settings.odom,
+          {"odom", "", "Topic of the odometry, below the robot's namespace; empty: odom."}),
+      textParameter(settings.pose, {"pose", "", "Topic of the poses, likewise; empty: pose."}),
       textParameter(
           settings.depth_image,
           {"depth_image", "",

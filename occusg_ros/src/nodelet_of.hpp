@@ -1,31 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <diagnostic_updater/diagnostic_updater.h>
 #include <nodelet/nodelet.h>
+#include <ros/ros.h>
 
 #include <memory>
+#include <string>
 
 #include "node_handles.hpp"
 #include "occusg/error.hpp"
 
 namespace occusg_ros {
 
+/// A node that could not start, for a parameter or a model: it says so in the diagnostics for as
+/// long as its manager runs, and does nothing else. A nodelet that refuses to load would be loaded
+/// again by roslaunch every second, with the same sentence.
+class FailedNode {
+ public:
+  FailedNode(const NodeHandles& handles, const std::string& problem)
+      : updater_(handles.inputs, handles.parameters, handles.name) {
+    updater_.setHardwareID("none");
+    updater_.add("start", [problem](diagnostic_updater::DiagnosticStatusWrapper& status) {
+      status.summary(diagnostic_msgs::DiagnosticStatus::ERROR, "does not start: " + problem);
+    });
+    ros::NodeHandle nh = handles.inputs;
+    timer_ = nh.createWallTimer(ros::WallDuration(1.0),
+                                [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  }
+
+ private:
+  diagnostic_updater::Updater updater_;
+  ros::WallTimer timer_;
+};
+
 /// `Node` in a manager of nodelets, or alone in a process of its own.
 template <typename Node>
 class NodeletOf : public nodelet::Nodelet {
  private:
   void onInit() override {
+    const NodeHandles handles{getNodeHandle(), getMTNodeHandle(), getPrivateNodeHandle(),
+                              getMTPrivateNodeHandle(), getName()};
     try {
-      node_ = std::make_unique<Node>(NodeHandles{getNodeHandle(), getMTNodeHandle(),
-                                                 getPrivateNodeHandle(), getMTPrivateNodeHandle(),
-                                                 getName()});
+      node_ = std::make_unique<Node>(handles);
     } catch (const occusg::Error& error) {
       NODELET_FATAL_STREAM(getName() << " does not start: " << error.what());
-      throw;  // nodelet's loader takes it as a failure to load; a node of its own ends
+      const bool is_alone = getName() == ros::this_node::getName();
+      if (is_alone) throw;  // the process ends
+      failed_ = std::make_unique<FailedNode>(handles, error.what());
     }
   }
 
   std::unique_ptr<Node> node_;
+  std::unique_ptr<FailedNode> failed_;
 };
 
 }  // namespace occusg_ros

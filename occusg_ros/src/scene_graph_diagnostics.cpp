@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "occusg_ros/what_is_there.hpp"
 #include "scene_graph_node.hpp"
 
 namespace occusg_ros {
@@ -17,7 +18,12 @@ void SceneGraphNode::checkHealth() {
       missing_input_.toSay({{"free space", grid_subscriber_.getTopic(), counts.received,
                              grid_subscriber_.getNumPublishers()}},
                            problem, steadySeconds() - started_s_);
-  if (!missing.empty()) ROS_WARN_STREAM(handles_.name << ": there is no scene graph: " << missing);
+  if (missing.empty()) return;
+  const std::string instead =
+      counts.received == 0
+          ? publishedInstead(grid_subscriber_.getTopic(), "nav_msgs/OccupancyGrid")
+          : framesInstead(tf_);
+  ROS_WARN_STREAM(handles_.name << ": there is no scene graph: " << missing << instead);
 }
 
 void SceneGraphNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) {

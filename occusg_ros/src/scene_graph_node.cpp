@@ -121,6 +121,13 @@ void SceneGraphNode::subscribe() {
         inputTopic(place, settings_.odom, "odom"), kQueue,
         guardedCallback(this, &SceneGraphNode::onOdometry, "odometry"));
   }
+  if (settings_.pose_source == PoseSource::kPose) {
+    pose_input_ = std::make_unique<PoseInput>(
+        nh,
+        PoseInputConfig{PoseSource::kPose, inputTopic(place, settings_.pose, "pose"),
+                        settings_.map_frame, settings_.robot_frame},
+        tf_);
+  }
   // Timers of the wall clock that look at the clock of ROS: it may jump back, which would stop a
   // timer of its own for as long as it jumped.
   tick_timer_ = nh.createWallTimer(ros::WallDuration(kTick_s),
@@ -332,7 +339,7 @@ std::optional<WaitingMap::Map> SceneGraphNode::nextMap() const {
 }
 
 PoseAnswer SceneGraphNode::robotPose(const ros::Time& stamp) const {
-  if (settings_.pose_source == PoseSource::kTf)
+  if (settings_.pose_source != PoseSource::kOdometry)
     return poseAt(tf_, settings_.map_frame, settings_.robot_frame, stamp);
   nav_msgs::OdometryConstPtr odometry;
   {

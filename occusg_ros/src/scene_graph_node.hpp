@@ -38,6 +38,7 @@
 #include "occusg_ros/guarded.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/markers.hpp"
+#include "occusg_ros/pose_input.hpp"
 #include "occusg_ros/ros_timeline.hpp"
 #include "occusg_ros/save_status.hpp"
 #include "occusg_ros/saved_generations.hpp"
@@ -184,6 +185,7 @@ class SceneGraphNode {
 
   tf2_ros::Buffer tf_;
   TfInput tf_input_;
+  std::unique_ptr<PoseInput> pose_input_;
   ros::Publisher regions_publisher_;
   ros::Publisher rooms_publisher_;
   ros::Publisher graph_publisher_;

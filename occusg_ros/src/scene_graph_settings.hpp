@@ -8,12 +8,10 @@
 #include "occusg/pipeline/parameter.hpp"
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/parameters.hpp"
+#include "occusg_ros/pose_input.hpp"
 #include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
-
-/// Where the robot's pose comes from.
-enum class PoseSource { kTf, kOdometry };
 
 /// The parameters of occusg/scene_graph besides those of the pipeline.
 struct SceneGraphSettings {
@@ -22,6 +20,7 @@ struct SceneGraphSettings {
   PoseSource pose_source = PoseSource::kTf;
   std::string map;
   std::string odom;
+  std::string pose;
   double free_below_percent = 0.0;
   double occupied_above_percent = 0.0;
   double robot_radius_m = 0.2;
@@ -56,12 +55,17 @@ struct SceneGraphSettings {
       textParameter(settings.robot_frame,
                     {"robot_frame", "", "Frame of the robot; with pose_source tf."}),
       choiceParameter<PoseSource>(settings.pose_source,
-                                  {{"tf", PoseSource::kTf}, {"odometry", PoseSource::kOdometry}},
+                                  {{"tf", PoseSource::kTf},
+                                   {"odometry", PoseSource::kOdometry},
+                                   {"pose", PoseSource::kPose}},
                                   {"pose_source", "", "Where the robot's pose comes from."}),
       textParameter(
           settings.map,
           {"map", "", "Topic of the 2D map, below the robot's namespace; empty: free_space."}),
       textParameter(settings.odom, {"odom", "", "Topic of the odometry, likewise; empty: odom."}),
+      textParameter(
+          settings.pose,
+          {"pose", "", "Topic of the poses with pose_source pose, likewise; empty: pose."}),
       numberParameter(
           settings.free_below_percent, {0.0, 100.0},
           {"free_below_percent", "%",

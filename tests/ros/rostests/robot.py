@@ -168,3 +168,6 @@ class RosLog:
 
     def said(self, *words):
         return any(all(word in line for word in words) for line in list(self.lines))
+
+    def count(self, words):
+        return sum(words in line for line in list(self.lines))
