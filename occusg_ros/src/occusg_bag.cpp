@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@
 #include "occusg/io/output_folder.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
+#include "occusg_ros/compressed_depth.hpp"
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/tf_poses.hpp"
@@ -37,7 +40,7 @@ constexpr std::size_t kMaxWaiting = 100;
 constexpr double kTfCache_s = 60.0;
 
 struct Options {
-  std::string bag;
+  std::vector<std::string> bags;
   std::string output;
   std::string config = "default";
   std::string depth_topic;
@@ -48,9 +51,12 @@ struct Options {
 
 bool parse(int argc, char** argv, Options& options) {
   po::options_description named(
-      "occusg_bag BAG -o OUT [options]\n\n"
-      "Takes the depth images of a bag through the whole pipeline, as fast as it goes, and\n"
-      "writes the files `occusg run` writes.\n\nOptions");
+      "occusg_bag BAG... -o OUT [options]\n\n"
+      "Takes the depth images of a bag, or of several that were recorded as one, through the "
+      "whole\n"
+      "pipeline, as fast as it goes, and writes the files `occusg run` writes. Depth images may "
+      "be\n"
+      "plain or of the transports compressedDepth and compressed.\n\nOptions");
   named.add_options()("output,o", po::value(&options.output),
                       "folder for the results; created when missing")(
       "config", po::value(&options.config), "'default', 'paper' or a YAML file")(
@@ -60,8 +66,8 @@ bool parse(int argc, char** argv, Options& options) {
       "map-frame", po::value(&options.map_frame), "frame of the map")(
       "depth-scale", po::value(&options.depth_units_per_m),
       "value of one metre in 16-bit depth images: 1000, or 4000 for an L515, 5000 for TUM's");
-  if (!occusg_ros::parseToolOptions(argc, argv, named, options.bag)) return false;
-  if (options.bag.empty() || options.output.empty())
+  if (!occusg_ros::parseToolOptions(argc, argv, named, options.bags)) return false;
+  if (options.bags.empty() || options.output.empty())
     throw occusg::Error("name a bag and, with -o, a folder for the results; see --help");
   if (!(options.depth_units_per_m >= 1.0 && options.depth_units_per_m <= 1e6)) {
     throw occusg::refuse("--depth-scale", "is " + std::to_string(options.depth_units_per_m),
@@ -70,19 +76,59 @@ bool parse(int argc, char** argv, Options& options) {
   return true;
 }
 
-/// The only topic of images that calls itself depth.
-std::string depthTopicOf(const rosbag::Bag& bag) {
-  std::vector<std::string> topics;
-  std::string list;
-  for (const rosbag::ConnectionInfo* connection : rosbag::View(bag).getConnections()) {
-    if (connection->datatype != "sensor_msgs/Image") continue;
-    list += (list.empty() ? "" : ", ") + connection->topic;
-    if (connection->topic.find("depth") != std::string::npos) topics.push_back(connection->topic);
+using Bags = std::vector<std::unique_ptr<rosbag::Bag>>;
+
+/// @throws occusg::Error naming the bag and what to do, for one that was not closed.
+Bags openedBags(const std::vector<std::string>& paths) {
+  Bags bags;
+  for (const std::string& path : paths) {
+    try {
+      bags.push_back(std::make_unique<rosbag::Bag>(path, rosbag::bagmode::Read));
+    } catch (const rosbag::BagUnindexedException&) {
+      throw occusg::refuse(path, "it has no index: its recording was cut off",
+                           "'rosbag reindex " + path + "' mends it");
+    } catch (const rosbag::BagException& error) {
+      throw occusg::refuse(path, std::string("it cannot be read (") + error.what() + ")",
+                           "a bag of format 2.0 is needed");
+    }
   }
-  if (topics.size() == 1) return topics.front();
-  throw occusg::refuse(bag.getFileName(),
+  return bags;
+}
+
+bool isImage(const std::string& type) {
+  return type == "sensor_msgs/Image" || type == "sensor_msgs/CompressedImage";
+}
+
+/// The only topic of images that calls itself depth; a plain one goes before a compressed one.
+std::string depthTopicOf(const Bags& bags) {
+  std::set<std::string> plain;
+  std::set<std::string> compressed;
+  std::set<std::string> all;
+  for (const auto& bag : bags) {
+    for (const rosbag::ConnectionInfo* connection : rosbag::View(*bag).getConnections()) {
+      if (!isImage(connection->datatype)) continue;
+      all.insert(connection->topic);
+      if (connection->topic.find("depth") == std::string::npos) continue;
+      (connection->datatype == "sensor_msgs/Image" ? plain : compressed).insert(connection->topic);
+    }
+  }
+  if (plain.size() == 1) return *plain.begin();
+  if (plain.empty() && compressed.size() == 1) return *compressed.begin();
+  std::string list;
+  for (const std::string& topic : all) list += (list.empty() ? "" : ", ") + topic;
+  throw occusg::refuse(bags.front()->getFileName(),
                        list.empty() ? "it has no images" : "its topics of images are " + list,
                        "name the one with depth, as in --depth /camera/depth/image_rect");
+}
+
+/// Where the camera_info of a topic is by convention: beside the plain images.
+std::string infoTopicOf(std::string depth_topic) {
+  for (const std::string transport : {"/compressedDepth", "/compressed"}) {
+    const std::size_t at = depth_topic.rfind(transport);
+    if (at != std::string::npos && at + transport.size() == depth_topic.size())
+      depth_topic.erase(at);
+  }
+  return depth_topic.substr(0, depth_topic.rfind('/')) + "/camera_info";
 }
 
 /// The pipeline behind the messages of a bag.
@@ -91,7 +137,7 @@ class BagRun {
   BagRun(const Options& options, occusg::Pipeline& pipeline)
       : options_(options), pipeline_(pipeline), tf_(ros::Duration(kTfCache_s)) {}
 
-  void run(const rosbag::Bag& bag);
+  void run(const Bags& bags);
   [[nodiscard]] InputHealth::Counts counts() const { return health_.counts(); }
 
  private:
@@ -102,6 +148,7 @@ class BagRun {
 
   void take(const rosbag::MessageInstance& message);
   void takeTransforms(const tf2_msgs::TFMessage& transforms, bool is_static);
+  void takeCompressed(const sensor_msgs::CompressedImage& compressed);
   void takeImage(const sensor_msgs::ImageConstPtr& image);
   enum class Patience { kWait, kGiveUp };
   void processWaiting(Patience patience);
@@ -116,9 +163,11 @@ class BagRun {
   std::deque<Waiting> waiting_;
 };
 
-void BagRun::run(const rosbag::Bag& bag) {
-  rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{
-                             "/tf", "/tf_static", options_.depth_topic, options_.info_topic}));
+void BagRun::run(const Bags& bags) {
+  const rosbag::TopicQuery topics(
+      std::vector<std::string>{"/tf", "/tf_static", options_.depth_topic, options_.info_topic});
+  rosbag::View view;
+  for (const auto& bag : bags) view.addQuery(*bag, topics);
   for (const rosbag::MessageInstance& message : view) {
     take(message);
     processWaiting(Patience::kWait);
@@ -139,6 +188,18 @@ void BagRun::take(const rosbag::MessageInstance& message) {
     }
   } else if (const auto image = message.instantiate<sensor_msgs::Image>()) {
     takeImage(image);
+  } else if (const auto compressed = message.instantiate<sensor_msgs::CompressedImage>()) {
+    takeCompressed(*compressed);
+  }
+}
+
+void BagRun::takeCompressed(const sensor_msgs::CompressedImage& compressed) {
+  try {
+    takeImage(boost::make_shared<const sensor_msgs::Image>(
+        occusg_ros::decompressedDepth(compressed, options_.depth_topic)));
+  } catch (const occusg::Error& error) {
+    health_.noteReceived();
+    health_.noteDropped(Drop::kImage, error.what());
   }
 }
 
@@ -211,16 +272,13 @@ void report(const InputHealth::Counts& counts, const occusg::Pipeline& pipeline,
 
 int process(Options options) {
   occusg::Pipeline pipeline(occusg::loadConfig(options.config));
-  rosbag::Bag bag(options.bag, rosbag::bagmode::Read);
-  if (options.depth_topic.empty()) options.depth_topic = depthTopicOf(bag);
-  if (options.info_topic.empty()) {
-    options.info_topic =
-        options.depth_topic.substr(0, options.depth_topic.rfind('/')) + "/camera_info";
-  }
+  const Bags bags = openedBags(options.bags);
+  if (options.depth_topic.empty()) options.depth_topic = depthTopicOf(bags);
+  if (options.info_topic.empty()) options.info_topic = infoTopicOf(options.depth_topic);
   const occusg::OutputFolder folder(options.output);
   BagRun run(options, pipeline);
-  run.run(bag);
-  const std::string scene = std::filesystem::path(options.bag).stem().string();
+  run.run(bags);
+  const std::string scene = std::filesystem::path(options.bags.front()).stem().string();
   writeResultFiles(folder, resultFiles(pipeline, scene, pipeline.times()));
   const InputHealth::Counts counts = run.counts();
   report(counts, pipeline, folder.path());

@@ -32,7 +32,7 @@ constexpr int kMaxScale = 8;
 constexpr double kFirstStamp_s = 1000.0;
 
 struct Options {
-  std::string sequence;
+  std::vector<std::string> sequences;
   std::string bag;
   FrameNames frames;
   std::string camera = "camera";
@@ -70,10 +70,11 @@ bool parse(int argc, char** argv, Options& options) {
       "map-frame", po::value(&options.frames.map), "name of the map's frame")(
       "robot-frame", po::value(&options.frames.robot), "name of the robot's frame")(
       "camera-frame", po::value(&options.frames.camera), "name of the camera's optical frame");
-  const auto values = occusg_ros::parseToolOptions(argc, argv, named, options.sequence);
+  const auto values = occusg_ros::parseToolOptions(argc, argv, named, options.sequences);
   if (!values) return false;
   options.with_color = values->count("no-color") == 0;
-  if (options.sequence.empty()) throw occusg::Error("occusg_play: name a sequence; see --help");
+  if (options.sequences.size() != 1)
+    throw occusg::Error("occusg_play: name one sequence; see --help");
   if (!(options.rate > 0.0)) throw occusg::Error("occusg_play: --rate must be above 0");
   if (options.scale < 1 || options.scale > kMaxScale)
     throw occusg::Error("occusg_play: --scale must be 1 to " + std::to_string(kMaxScale));
@@ -272,7 +273,7 @@ int main(int argc, char** argv) {
     ros::Time::init();
     Options options;
     if (!parse(argc, argv, options)) return 0;
-    const Recording recording(options.sequence);
+    const Recording recording(options.sequences.front());
     if (options.bag.empty()) {
       play(recording, options);
     } else {

@@ -20,9 +20,8 @@ void SceneGraphNode::checkHealth() {
                            problem, steadySeconds() - started_s_);
   if (missing.empty()) return;
   const std::string instead =
-      counts.received == 0
-          ? publishedInstead(grid_subscriber_.getTopic(), "nav_msgs/OccupancyGrid")
-          : framesInstead(tf_);
+      counts.received == 0 ? publishedInstead(grid_subscriber_.getTopic(), "nav_msgs/OccupancyGrid")
+                           : framesInstead(tf_);
   ROS_WARN_STREAM(handles_.name << ": there is no scene graph: " << missing << instead);
 }
 

@@ -9,12 +9,12 @@ namespace po = boost::program_options;
 
 std::optional<po::variables_map> parseToolOptions(int argc, char** argv,
                                                   po::options_description named,
-                                                  std::string& unnamed) {
+                                                  std::vector<std::string>& unnamed) {
   named.add_options()("help,h", "print this");
   po::options_description all;
   all.add(named).add_options()("unnamed", po::value(&unnamed));
   po::positional_options_description positional;
-  positional.add("unnamed", 1);
+  positional.add("unnamed", -1);
   po::variables_map values;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), values);
   po::notify(values);

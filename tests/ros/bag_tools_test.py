@@ -6,12 +6,15 @@ Usage: bag_tools_test.py OCCUSG OCCUSG_PLAY OCCUSG_BAG RECORDING WORK_FOLDER"""
 import json
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
+import zlib
 
 import numpy
 import rosbag
+from sensor_msgs.msg import CompressedImage
 
 OCCUSG, PLAY, BAG, RECORDING, WORK = sys.argv[1:6]
 FRAMES = 314
@@ -26,6 +29,20 @@ def run(*command):
 def read(folder, name):
     with open(os.path.join(WORK, folder, name), "rb") as file:
         return file.read()
+
+
+def png_of(image):
+    """A message of 16UC1 as a PNG (16 bits, grey, no filter)."""
+    pixels = numpy.frombuffer(image.data, dtype=numpy.uint16).reshape(image.height, image.width)
+    rows = b"".join(b"\0" + row.astype(">u2").tobytes() for row in pixels)
+
+    def chunk(kind, data):
+        return (struct.pack(">I", len(data)) + kind + data +
+                struct.pack(">I", zlib.crc32(kind + data)))
+
+    header = struct.pack(">IIBBBBB", image.width, image.height, 16, 0, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
+            chunk(b"IDAT", zlib.compress(rows, 1)) + chunk(b"IEND", b""))
 
 
 class BagToolsTest(unittest.TestCase):
@@ -115,6 +132,37 @@ class BagToolsTest(unittest.TestCase):
         path = self.changed_bag("quarters.bag", in_quarters)
         self.assert_gives_the_same_rooms("of_quarters", path, "--depth-scale", "4000")
         self.assertIn("--depth-scale", self.refused(BAG, path, "-o", os.path.join(WORK, "never"), "--depth-scale", "0"))
+
+    def test_several_bags_are_one_recording(self):
+        paths = [os.path.join(WORK, name) for name in ("second.bag", "first.bag")]
+        with rosbag.Bag(self.bag) as bag:
+            middle = (bag.get_start_time() + bag.get_end_time()) / 2
+            with rosbag.Bag(paths[1], "w") as first, rosbag.Bag(paths[0], "w") as second:
+                for topic, message, stamp in bag.read_messages():
+                    (first if stamp.to_sec() < middle else second).write(topic, message, stamp)
+        self.assert_gives_the_same_rooms("of_parts", *paths)
+
+    def test_compressed_depth_is_the_same_depth(self):
+        path = os.path.join(WORK, "compressed.bag")
+        with rosbag.Bag(self.bag) as bag, rosbag.Bag(path, "w") as packed:
+            for topic, message, stamp in bag.read_messages():
+                if topic == "/camera/depth/image_rect":
+                    topic += "/compressedDepth"
+                    message = CompressedImage(header=message.header,
+                                              format="16UC1; compressedDepth png",
+                                              data=bytes(12) + png_of(message))
+                packed.write(topic, message, stamp)
+        self.assert_gives_the_same_rooms("of_compressed", path)
+
+    def test_a_bag_that_was_not_closed_is_told_how_to_mend(self):
+        path = os.path.join(WORK, "unindexed.bag")
+        with open(self.bag, "rb") as file:
+            data = bytearray(file.read())
+        place = data.index(b"index_pos=") + len(b"index_pos=")
+        data[place:place + 8] = bytes(8)
+        with open(path, "wb") as file:
+            file.write(data)
+        self.assertIn("rosbag reindex", self.refused(BAG, path, "-o", os.path.join(WORK, "never")))
 
     def test_images_without_a_pose_are_counted_and_fail_the_run(self):
         ended = run(BAG, self.bag, "-o", os.path.join(WORK, "lost"), "--map-frame", "nowhere")

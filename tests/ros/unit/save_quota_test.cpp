@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg_ros/saved_folder.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "occusg/error.hpp"
+#include "occusg_ros/saved_folder.hpp"
 
 namespace occusg_ros {
 namespace {
