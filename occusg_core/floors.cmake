@@ -52,13 +52,9 @@ occusg_add_floor(mapping
   LIBRARIES occusg_octomap Threads::Threads
   ALONE frame_rays.cpp)
 
-occusg_add_floor(regions
-  SOURCES
-    acceptance_guard.cpp
-    basins.cpp
-    clearance.cpp
-    constriction_decomposer.cpp
-    contacts.cpp
+# The dual-space decomposition needs CGAL's 2D triangulations and hulls, which are GPL-3.0-or-later.
+if(OCCUSG_WITH_DUDE)
+  set(dude_sources
     dude_candidates.cpp
     dude_clearance.cpp
     dude_decomposer.cpp
@@ -71,7 +67,20 @@ occusg_add_floor(regions
     dude_regions.cpp
     dude_selection.cpp
     dude_symmetry.cpp
-    dude_trace.cpp
+    dude_trace.cpp)
+  set(dude_libraries CGAL::CGAL)
+else()
+  set(dude_sources without_dude.cpp)
+  set(dude_libraries "")
+endif()
+occusg_add_floor(regions
+  SOURCES
+    ${dude_sources}
+    acceptance_guard.cpp
+    basins.cpp
+    clearance.cpp
+    constriction_decomposer.cpp
+    contacts.cpp
     label_regions.cpp
     lintels.cpp
     no_rooms.cpp
@@ -80,7 +89,7 @@ occusg_add_floor(regions
     squared_distance.cpp
     straight_cuts.cpp
   USES geometry mapping
-  LIBRARIES CGAL::CGAL opencv_core opencv_imgproc)
+  LIBRARIES ${dude_libraries} opencv_core opencv_imgproc)
 
 occusg_add_floor(graph
   SOURCES

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <CGAL/Bbox_2.h>
-#include <CGAL/Box_intersection_d/Box_with_handle_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "occusg/geometry/polygon.hpp"
 
 namespace occusg {
 namespace {
+
+namespace bg = boost::geometry;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using ExactPoint = Kernel::Point_2;
@@ -24,8 +28,8 @@ struct Edge {
   std::size_t ring;
   std::size_t index;
 };
-using EdgeBox =
-    CGAL::Box_intersection_d::Box_with_handle_d<double, 2, std::vector<Edge>::const_iterator>;
+using Corner = bg::model::point<double, 2, bg::cs::cartesian>;
+using EdgeBox = std::pair<bg::model::box<Corner>, std::size_t>;  ///< And the number of the edge.
 
 bool isUsable(const Ring& ring) {
   return ring.size() >= 3 && std::all_of(ring.begin(), ring.end(), [](const Point2& point) {
@@ -101,20 +105,25 @@ bool ringsConflict(const std::vector<ExactRing>& rings) {
     for (std::size_t i = 0; i < rings[ring].size(); ++i) edges.push_back({ring, i});
   std::vector<EdgeBox> boxes;
   boxes.reserve(edges.size());
-  for (auto edge = edges.cbegin(); edge != edges.cend(); ++edge) {
-    const ExactRing& ring = rings[edge->ring];
-    boxes.emplace_back(vertexAt(ring, edge->index).bbox() + vertexAt(ring, edge->index + 1).bbox(),
-                       edge);
+  for (const Edge& edge : edges) {
+    const ExactPoint& a = vertexAt(rings[edge.ring], edge.index);
+    const ExactPoint& b = vertexAt(rings[edge.ring], edge.index + 1);
+    const auto [low_x, high_x] = std::minmax({a.x(), b.x()});
+    const auto [low_y, high_y] = std::minmax({a.y(), b.y()});
+    boxes.emplace_back(bg::model::box<Corner>({low_x, low_y}, {high_x, high_y}), boxes.size());
   }
-  bool conflict = false;
-  CGAL::box_self_intersection_d(
-      boxes.begin(), boxes.end(), [&](const EdgeBox& first, const EdgeBox& second) {
-        const Edge& a = *first.handle();
-        const Edge& b = *second.handle();
-        if (conflict || a.ring == b.ring) return;
-        conflict = edgesConflict(rings[a.ring], a.index, rings[b.ring], b.index);
-      });
-  return conflict;
+  constexpr std::size_t kNodeSize = 16;
+  const bg::index::rtree<EdgeBox, bg::index::rstar<kNodeSize>> index(boxes);
+  for (const EdgeBox& box : boxes) {
+    const Edge& a = edges[box.second];
+    for (auto other = index.qbegin(bg::index::intersects(box.first)); other != index.qend();
+         ++other) {
+      const Edge& b = edges[other->second];
+      if (a.ring >= b.ring) continue;  // each pair once, and rings are simple by themselves
+      if (edgesConflict(rings[a.ring], a.index, rings[b.ring], b.index)) return true;
+    }
+  }
+  return false;
 }
 
 /// Side of `container` the ring lies on. @pre the two do not cross.
