@@ -70,6 +70,8 @@ void MappingNode::describe(diagnostic_updater::DiagnosticStatusWrapper& status) 
     status.summary(Level::WARN, "no usable depth image for " + std::to_string(age_s) + " s");
   } else if (mostAreDropped(counts)) {
     status.summary(Level::WARN, "more than half of the images are dropped: " + counts.last_problem);
+  } else if (!map.doubt.empty()) {
+    status.summary(Level::WARN, map.doubt);
   } else if (mebibytes > settings_.soft_memory_mib) {
     status.summary(Level::WARN, "the map is larger than soft_memory_mib");
   } else {

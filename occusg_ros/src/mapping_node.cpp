@@ -343,10 +343,11 @@ void MappingNode::process(const WaitingImage& waiting) {
   try {
     const double start_s = steadySeconds();
     const occusg::MapCounts before = map_->counts();
-    map_->process(
-        {waiting.logical_s,
-         toDepthImage(*waiting.image, image_subscriber_.getTopic(), settings_.depth_units_per_m),
-         *camera, answer.T_target_source});
+    const occusg::DepthFrame frame{
+        waiting.logical_s,
+        toDepthImage(*waiting.image, image_subscriber_.getTopic(), settings_.depth_units_per_m),
+        *camera, answer.T_target_source};
+    map_->process(frame);
     frame_times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
     if (!reachedMap(before)) {
       noteStatus(steadySeconds() - waiting.arrived_s);
@@ -361,6 +362,7 @@ void MappingNode::process(const WaitingImage& waiting) {
   }
   health_.noteUsed();
   last_frame_s_ = steadySeconds();
+  checkOrientation(waiting, *camera, answer.T_target_source);
   std_msgs::Header map_header = header;
   map_header.frame_id = settings_.map_frame;
   unpublished_ = map_header;
@@ -369,6 +371,21 @@ void MappingNode::process(const WaitingImage& waiting) {
     publishLayer(map_header, waiting.logical_s);
   if (last_frame_s_ - last_voxels_s_ > live().voxels_period_s) publishVoxels(map_header);
   noteStatus(last_frame_s_ - waiting.arrived_s);
+}
+
+void MappingNode::checkOrientation(const WaitingImage& waiting, const occusg::CameraModel& camera,
+                                   const occusg::Pose& T_map_camera) {
+  if (orientation_.isDone()) return;
+  orientation_.add(
+      {waiting.logical_s,
+       toDepthImage(*waiting.image, image_subscriber_.getTopic(), settings_.depth_units_per_m),
+       camera, T_map_camera});
+  if (!orientation_.isDone()) return;
+  const std::string doubt = orientation_.doubt();
+  if (doubt.empty()) return;
+  ROS_WARN_STREAM(handles_.name << ": " << doubt);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status_.doubt = doubt;
 }
 
 bool MappingNode::reachedMap(const occusg::MapCounts& before) {

@@ -27,6 +27,7 @@
 #include "occusg_ros/callback_times.hpp"
 #include "occusg_ros/guarded.hpp"
 #include "occusg_ros/input_health.hpp"
+#include "occusg_ros/orientation_check.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"
 #include "occusg_ros/save_status.hpp"
@@ -68,6 +69,7 @@ class MappingNode {
     occusg::MapCounts counts;
     occusg::StageSummary frame_times;
     std::size_t cut_islands = 0;  ///< Of the map that was loaded.
+    std::string doubt;            ///< About how the map lies; empty: none.
     std::size_t map_nodes = 0;
     std::size_t map_bytes = 0;
     double last_lag_s = 0.0;  ///< From a frame's arrival to its layer.
@@ -91,6 +93,8 @@ class MappingNode {
   void dropLateImages();
   void process(const WaitingImage& waiting);
   /// Whether the frame just processed changed the map; says why when it did not.
+  void checkOrientation(const WaitingImage& waiting, const occusg::CameraModel& camera,
+                        const occusg::Pose& T_map_camera);
   [[nodiscard]] bool reachedMap(const occusg::MapCounts& before);
   void publishLayer(const std_msgs::Header& header, double logical_s);
   void sendLayer(const std_msgs::Header& header);
@@ -156,6 +160,7 @@ class MappingNode {
   tf2_ros::Buffer tf_;
   TfInput tf_input_;
   std::unique_ptr<PoseInput> pose_input_;
+  OrientationCheck orientation_;
   ros::Publisher layer_publisher_;
   ros::Publisher fill_publisher_;
   ros::Publisher gaps_publisher_;

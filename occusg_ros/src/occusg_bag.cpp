@@ -25,6 +25,7 @@
 #include "occusg_ros/compressed_depth.hpp"
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/input_health.hpp"
+#include "occusg_ros/orientation_check.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "tool_options.hpp"
 
@@ -139,6 +140,8 @@ class BagRun {
 
   void run(const Bags& bags);
   [[nodiscard]] InputHealth::Counts counts() const { return health_.counts(); }
+  /// What looks wrong with how the map lies; empty when nothing does.
+  [[nodiscard]] std::string doubt() const { return orientation_.doubt(); }
 
  private:
   struct Waiting {
@@ -158,6 +161,7 @@ class BagRun {
   occusg::Pipeline& pipeline_;
   tf2::BufferCore tf_;
   InputHealth health_;
+  occusg_ros::OrientationCheck orientation_;
   std::optional<occusg::CameraModel> camera_;
   std::string camera_problem_;  ///< Of the last camera_info; empty while there was none.
   std::deque<Waiting> waiting_;
@@ -246,10 +250,12 @@ void BagRun::processWaiting(Patience patience) {
 
 void BagRun::process(const Waiting& waiting, const occusg::Pose& pose) {
   try {
-    pipeline_.process(
-        {waiting.image->header.stamp.toSec(),
-         occusg_ros::toDepthImage(*waiting.image, options_.depth_topic, options_.depth_units_per_m),
-         waiting.camera.value(), pose});
+    const occusg::DepthFrame frame{
+        waiting.image->header.stamp.toSec(),
+        occusg_ros::toDepthImage(*waiting.image, options_.depth_topic, options_.depth_units_per_m),
+        waiting.camera.value(), pose};
+    pipeline_.process(frame);
+    orientation_.add(frame);
     health_.noteUsed();
   } catch (const occusg::Error& error) {
     health_.noteDropped(Drop::kImage, error.what());
@@ -282,6 +288,8 @@ int process(Options options) {
   writeResultFiles(folder, resultFiles(pipeline, scene, pipeline.times()));
   const InputHealth::Counts counts = run.counts();
   report(counts, pipeline, folder.path());
+  const std::string doubt = run.doubt();
+  if (!doubt.empty()) std::cerr << "occusg_bag: " << doubt << '\n';
   return 2 * counts.used >= counts.received && counts.used > 0 ? 0 : 1;
 }
 

@@ -131,6 +131,9 @@ class BagToolsTest(unittest.TestCase):
                 message.data = numpy.where(depth == 65535, 65535, depth * 4).astype(numpy.uint16).tobytes()
         path = self.changed_bag("quarters.bag", in_quarters)
         self.assert_gives_the_same_rooms("of_quarters", path, "--depth-scale", "4000")
+        unscaled = run(BAG, path, "-o", os.path.join(WORK, "unscaled"))
+        self.assertRegex(unscaled.stderr, r"the lowest floor that was seen is at z = -\d+\.\d m.*--depth-scale")
+        self.assertNotIn("floor", run(BAG, path, "-o", os.path.join(WORK, "scaled"), "--depth-scale", "4000").stderr)
         self.assertIn("--depth-scale", self.refused(BAG, path, "-o", os.path.join(WORK, "never"), "--depth-scale", "0"))
 
     def test_several_bags_are_one_recording(self):

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "occusg_ros/orientation_check.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace occusg_ros {
+namespace {
+
+constexpr double kPeriod_s = 1.0;
+constexpr double kRadToDeg = 180.0 / 3.14159265358979323846;
+constexpr double kMostOff_deg = 60.0;
+/// Images that agree on less have no common direction: a camera that looks at the floor.
+constexpr double kLeastAgreement = 0.5;
+constexpr double kFarthestFloor_m = 1.0;
+
+template <typename Number>
+std::string formatted(const char* format, Number value) {
+  std::array<char, 200> text{};
+  (void)std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+}  // namespace
+
+void OrientationCheck::add(const occusg::DepthFrame& frame) {
+  const bool is_due = samples_ == 0 || std::abs(frame.stamp_s - last_s_) >= kPeriod_s;
+  if (isDone() || !is_due) return;
+  estimator_.add(frame);
+  last_s_ = frame.stamp_s;
+  ++samples_;
+}
+
+std::string OrientationCheck::doubt() const {
+  if (samples_ == 0) return "";
+  const occusg::MapOrientation map = estimator_.estimate();
+  const double off_deg = map.down_off_rad * kRadToDeg;
+  if (map.agreement >= kLeastAgreement && off_deg > kMostOff_deg) {
+    return formatted(
+        "down in the images is about %.0f degrees away from the map frame's -z: is z up there, and "
+        "is the images' frame the camera's optical frame (z forward)?",
+        off_deg);
+  }
+  if (map.floor_height_m && std::abs(*map.floor_height_m) > kFarthestFloor_m) {
+    return formatted(
+        "the lowest floor that was seen is at z = %.1f m in the map frame: are the unit of the "
+        "depth "
+        "images (depth_units_per_m, --depth-scale) and the camera's mount right?",
+        *map.floor_height_m);
+  }
+  return "";
+}
+
+}  // namespace occusg_ros
