@@ -70,6 +70,11 @@ for result in rooms.json scene_graph.json overview.png timing.json; do
   test -s "$folder$home/occusg/out/demo/$result"
 done
 
+# The lists that the second command installs from; first, as a package that is missing there may be pulled in by another.
+step "Every package that is used is in the lists"
+inside bash -c 'cd ~/occusg && scripts/install_dependencies.sh --for tests > /dev/null &&
+  /usr/bin/python3 tests/packaging/package_lists_test.py .'
+
 step "scripts/test.sh, README's second command"
 inside bash -c 'cd ~/occusg && scripts/test.sh'
 

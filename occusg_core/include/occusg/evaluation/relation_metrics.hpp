@@ -34,7 +34,8 @@ struct RoomPair {
                                            const std::vector<MatchedRooms>& matched,
                                            double threshold);
 
-/// A predicted crossing is an annotated door when its middle lies so near the door's segment [m].
+/// Maximum distance from the middle of a predicted crossing to the segment of the annotated door
+/// it counts as [m].
 inline constexpr double kDoorTolerance_m = 0.5;
 
 /// Predicted crossings against annotated doors, whatever rooms they join: the one-to-one assignment

@@ -15,7 +15,7 @@ namespace occusg {
 /// The published system says "sampled"; these are the values it was run with.
 struct AgentLayerConfig {
   double min_distance_m = 0.5;   ///< A pose so far from the last agent becomes one [m], 3D.
-  double max_interval_s = 10.0;  ///< So does a pose so long after it [s].
+  double max_interval_s = 10.0;  ///< A pose this much later than the last agent becomes one [s].
   /// Of older agents only the last at each place stays [s], positive.
   double recent_s = 3600.0;
   double old_spacing_m = 1.0;  ///< Side of the cubes that are one place for them [m], positive.

@@ -33,8 +33,10 @@ enum class GhostRemoval {
 
 struct ObjectLayerConfig {
   ObjectMemory memory = ObjectMemory::kRunning;
-  double merge_distance_m = 0.75;    ///< kFirstSight: same class so near is one object [m], 3D.
-  double flicker_distance_m = 0.15;  ///< kFirstSight: so near is one object of any class [m].
+  double merge_distance_m =
+      0.75;  ///< kFirstSight: objects of one class nearer than this are one [m], 3D.
+  double flicker_distance_m =
+      0.15;  ///< kFirstSight: objects of any class nearer than this are one [m].
   /// kRunning: same class with so much of the smaller box in common is one object, 0..1.
   double min_common_box = 0.3;
   GhostRemoval ghosts = GhostRemoval::kSeenThrough;

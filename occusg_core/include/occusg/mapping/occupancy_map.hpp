@@ -79,7 +79,7 @@ class OccupancyMap {
   /// @throws Error naming the field, its value and the allowed range; the maximum range must lie in
   /// [1, kMaxRangeVoxels] voxels.
   explicit OccupancyMap(const OccupancyMapConfig& config);
-  /// A map that goes on from `content`: its nodes are taken, and its inner values made the largest
+  /// A map that starts from `content`: its nodes are taken, and its inner values made the largest
   /// of the children, what can be pruned is, values are held within the clamps, and parts too far
   /// away for a free-space layer are cut off.
   /// @throws Error when the configuration is wrong or its resolution is not that of `content`.
@@ -103,7 +103,7 @@ class OccupancyMap {
   /// What the map and its columns hold, the tree estimated from the number of its nodes [bytes].
   [[nodiscard]] std::size_t memoryBytes() const;
   [[nodiscard]] const OccupancyMapConfig& config() const { return config_; }
-  /// What was cut off the content the map goes on from.
+  /// What was cut off the content the map started from.
   [[nodiscard]] const FarIslands& cutIslands() const { return cut_islands_; }
   /// Forgets everything.
   void reset();
