@@ -9,7 +9,8 @@
 
 namespace occusg_ros {
 
-/// Looks at some of the first frames whether the map can lie as it does: z up, the floor near z = 0.
+/// Looks at some of the first frames whether the map can lie as it does: z up, the floor near z =
+/// 0.
 class OrientationCheck {
  public:
   /// Takes one frame a second of its stamps, until it has seen enough.
