@@ -26,8 +26,17 @@ class ShutdownTest(unittest.TestCase):
         cls.folder = rospy.get_param("~folder", tempfile.mkdtemp(prefix="occusg_shutdown_test_"))
 
     def start(self, command, name, *arguments):
-        return subprocess.Popen([rospy.get_param("~" + command), "__name:=" + name,
-                                 "_save_folder:=" + self.folder] + list(arguments))
+        process = subprocess.Popen([rospy.get_param("~" + command), "__name:=" + name,
+                                    "_save_folder:=" + self.folder] + list(arguments))
+        # One that a failed test leaves behind would keep the output of the test open.
+        self.addCleanup(self.kill, process)
+        return process
+
+    @staticmethod
+    def kill(process):
+        if process.poll() is None:
+            process.kill()
+            process.wait(timeout=15)
 
     def end(self, process, number):
         started = time.monotonic()
@@ -178,7 +187,6 @@ class ShutdownTest(unittest.TestCase):
             process.kill()
             process.wait(timeout=15)
 
-        log = RosLog()
         resumed = self.start("scene_graph", "resumed_graph", "_resume:=last", *graph_arguments)
         wait_until(lambda: len(self.rooms()) == 2, 30, "the rooms are there again")
         self.assertEqual([(room.id, room.name) for room in self.rooms()], before)
@@ -186,7 +194,6 @@ class ShutdownTest(unittest.TestCase):
         mapping = self.start("mapping", "resumed_map", "_resume:=last", *map_arguments)
         layer = rospy.wait_for_message("/autosaved_space", OccupancyGrid, 20)
         self.assertGreater(layer.info.width, 10)
-        wait_until(lambda: log.said("goes on from the session", folder), 20, "what it resumed")
         self.end(resumed, signal.SIGINT)
         self.end(mapping, signal.SIGINT)
 
