@@ -79,7 +79,7 @@ void addSegmenter(Parameters& list, OnnxSegmenterConfig& segmenter) {
                                  "Side of the input image for models that accept any size."}));
 }
 
-void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerConfig& layer) {
+void addOccupancy(Parameters& list, OccupancyMapConfig& occupancy) {
   list.push_back(numberParameter(
       occupancy.resolution_m, {0.01, 1.0},
       {"mapping.occupancy.resolution_m", "m", "Edge length of a voxel and of a 2D cell.", "0.05"}));
@@ -120,7 +120,9 @@ void addMapping(Parameters& list, OccupancyMapConfig& occupancy, FreeSpaceLayerC
       occupancy.max_memory_mb, {1.0, 1e6},
       {"mapping.occupancy.max_memory_mb", "MiB",
        "Maximum memory of the map; once it is reached, no more frames are added."}));
+}
 
+void addFreeSpace(Parameters& list, FreeSpaceLayerConfig& layer) {
   list.push_back(numberParameter(
       layer.min_free_gap_m, {0.01, 10.0},
       {"mapping.free_space.min_free_gap_m", "m",
@@ -299,7 +301,7 @@ void addTracking(Parameters& list, RegionTrackerConfig& tracker) {
        "Number of updates without a matching region after which a track ends.", "3"}));
 }
 
-void addGraph(Parameters& list, GraphBuilderConfig& graph) {
+void addAgents(Parameters& list, GraphBuilderConfig& graph) {
   list.push_back(numberParameter(
       graph.maintenance_period_s, {0.01, 3600.0},
       {"graph.maintenance_period_s", "s", "Period of the maintenance of the rooms.", "2"}));
@@ -323,8 +325,9 @@ void addGraph(Parameters& list, GraphBuilderConfig& graph) {
       countParameter(graph.agents.max_agents, {2, static_cast<int>(kMaxGraphNodes / 2)},
                      {"graph.agents.max_agents", "agents",
                       "Maximum number of agent nodes; beyond it the oldest are removed."}));
+}
 
-  RoomLayerConfig& rooms = graph.rooms;
+void addRooms(Parameters& list, RoomLayerConfig& rooms) {
   list.push_back(numberParameter(rooms.boundary_tolerance_m, {0.0, 10.0},
                                  {"graph.rooms.boundary_tolerance_m", "m",
                                   "Objects, agents and navigation nodes belong to a room when they "
@@ -448,12 +451,14 @@ std::vector<Parameter> parametersOf(PipelineConfig& config) {
   addPerception(list, config.depth, config.poses);
   addDetection(list, config.detection);
   addSegmenter(list, config.segmenter);
-  addMapping(list, config.occupancy, config.free_space);
+  addOccupancy(list, config.occupancy);
+  addFreeSpace(list, config.free_space);
   addDecomposition(list, config);
   addDude(list, config.dude);
   addConstriction(list, config.constriction);
   addTracking(list, config.tracker);
-  addGraph(list, config.graph);
+  addAgents(list, config.graph);
+  addRooms(list, config.graph.rooms);
   addNavigation(list, config.graph.navigation);
   addObjects(list, config.graph.objects);
   return list;
