@@ -16,14 +16,8 @@ namespace po = boost::program_options;
 
 constexpr std::size_t kSampledFrames = 40;
 constexpr double kRadToDeg = 180.0 / 3.14159265358979323846;
-/// A camera that looks down a table or up a wall is within it.
-constexpr double kMostOff_deg = 60.0;
 /// So near the map is taken as right.
 constexpr double kRight_deg = 30.0;
-/// Images that agree on less have no common direction: a camera that looks at the floor.
-constexpr double kLeastAgreement = 0.5;
-/// A floor farther from z = 0 is none a robot of this map drives on.
-constexpr double kFarthestFloor_m = 1.0;
 
 std::string rounded(double value, int digits) {
   std::string text(32, '\0');
@@ -46,8 +40,7 @@ MapOrientation orientationOf(const SequenceReader& sequence) {
 }
 
 bool looksRight(const MapOrientation& orientation) {
-  return orientation.agreement >= kLeastAgreement &&
-         orientation.down_off_rad * kRadToDeg <= kRight_deg;
+  return hasCommonDown(orientation) && orientation.down_off_rad * kRadToDeg <= kRight_deg;
 }
 
 /// The option with which the poses' axes would be right; empty for none.
@@ -67,8 +60,8 @@ std::string mendedBy(const std::string& folder, const SequenceReaderConfig& read
 /// What is wrong with where down is; empty when nothing is seen to be.
 std::string sentenceOnDown(const MapOrientation& orientation, const std::string& folder,
                            const SequenceReaderConfig& reading) {
-  const bool agree = orientation.agreement >= kLeastAgreement;
-  if (agree && orientation.down_off_rad * kRadToDeg <= kMostOff_deg) return "";
+  const bool agree = hasCommonDown(orientation);
+  if (agree && !isTilted(orientation)) return "";
   const std::string option = mendedBy(folder, reading);
   // A camera that looks at the floor has no common direction either.
   if (!agree && option.empty()) return "";
@@ -143,11 +136,9 @@ Placement placementOf(const SequenceReader& sequence, const std::string& folder,
     return placement;
   }
   const std::string down = sentenceOnDown(orientation, folder, reading);
-  const bool is_far =
-      orientation.floor_height_m && std::abs(*orientation.floor_height_m) > kFarthestFloor_m;
   if (!down.empty()) {
     placement.doubts.push_back(down);
-  } else if (is_far) {
+  } else if (hasFarFloor(orientation)) {
     placement.doubts.push_back(sentenceOnFloor(*orientation.floor_height_m));
   }
   return placement;

@@ -10,10 +10,6 @@ namespace {
 
 constexpr double kPeriod_s = 1.0;
 constexpr double kRadToDeg = 180.0 / 3.14159265358979323846;
-constexpr double kMostOff_deg = 60.0;
-/// Images that agree on less have no common direction: a camera that looks at the floor.
-constexpr double kLeastAgreement = 0.5;
-constexpr double kFarthestFloor_m = 1.0;
 
 template <typename Number>
 std::string formatted(const char* format, Number value) {
@@ -35,14 +31,13 @@ void OrientationCheck::add(const occusg::DepthFrame& frame) {
 std::string OrientationCheck::doubt() const {
   if (samples_ == 0) return "";
   const occusg::MapOrientation map = estimator_.estimate();
-  const double off_deg = map.down_off_rad * kRadToDeg;
-  if (map.agreement >= kLeastAgreement && off_deg > kMostOff_deg) {
+  if (isTilted(map)) {
     return formatted(
         "down in the images is about %.0f degrees away from the map frame's -z: is z up there, and "
         "is the images' frame the camera's optical frame (z forward)?",
-        off_deg);
+        map.down_off_rad * kRadToDeg);
   }
-  if (map.floor_height_m && std::abs(*map.floor_height_m) > kFarthestFloor_m) {
+  if (hasFarFloor(map)) {
     return formatted(
         "the lowest floor that was seen is at z = %.1f m in the map frame: are the unit of the "
         "depth "

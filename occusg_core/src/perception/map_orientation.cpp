@@ -34,7 +34,23 @@ DepthProjectorConfig samplingOf(const CameraModel& camera) {
   return config;
 }
 
+constexpr double kLeastAgreement = 0.5;
+constexpr double kMostTilt_rad = 60.0 * kPi / 180.0;
+constexpr double kFarthestFloor_m = 1.0;
+
 }  // namespace
+
+bool hasCommonDown(const MapOrientation& orientation) {
+  return orientation.agreement >= kLeastAgreement;
+}
+
+bool isTilted(const MapOrientation& orientation) {
+  return hasCommonDown(orientation) && orientation.down_off_rad > kMostTilt_rad;
+}
+
+bool hasFarFloor(const MapOrientation& orientation) {
+  return orientation.floor_height_m && std::abs(*orientation.floor_height_m) > kFarthestFloor_m;
+}
 
 void MapOrientationEstimator::add(const DepthFrame& frame) {
   DepthProjector projector(samplingOf(frame.camera));

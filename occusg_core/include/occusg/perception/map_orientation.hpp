@@ -22,6 +22,13 @@ struct MapOrientation {
   std::optional<double> floor_height_m;
 };
 
+/// Whether the images agree on where down is; those of a camera that looks at the floor do not.
+[[nodiscard]] bool hasCommonDown(const MapOrientation& orientation);
+/// Whether z is not up in the map: a camera that looks down a table or up a wall is nearer.
+[[nodiscard]] bool isTilted(const MapOrientation& orientation);
+/// Whether the floor is farther from z = 0 than one a robot of this map drives on.
+[[nodiscard]] bool hasFarFloor(const MapOrientation& orientation);
+
 /// Finds out how a map lies from a sample of its frames. Gravity is refined from the mean direction
 /// of "down in the images" by the surfaces: as many as possible of them are to be level or upright
 /// (Gupta, Arbelaez and Malik, "Perceptual Organization and Recognition of Indoor Scenes from RGB-D

@@ -66,6 +66,17 @@ std::vector<std::string> poseFilesOf(const std::vector<NumberedFile>& depth,
   return paths;
 }
 
+/// The poses of --poses, or else of a file for each image.
+void setPosesOfFiles(const std::string& folder, const std::vector<NumberedFile>& depth,
+                     const std::vector<NumberedFile>& poses, const SequenceReaderConfig& config,
+                     Recording& recording) {
+  if (config.poses_path.empty()) {
+    adoptPoseFiles(folder, poseFilesOf(depth, poses), recording);
+  } else {
+    setPoses(config.poses_path, config, recording);
+  }
+}
+
 void requireImages(const std::vector<NumberedFile>& depth, const std::string& where) {
   if (depth.empty()) throw refuse(where, "holds no depth image", "numbered PNGs are needed");
 }
@@ -92,12 +103,8 @@ Recording readSevenScenesRecording(const std::string& folder, const SequenceRead
         "the camera is taken as that of 7-Scenes: focal length 585, centre (320, 240), "
         "millimetres (--camera)");
   }
-  if (config.poses_path.empty()) {
-    adoptPoseFiles(folder, poseFilesOf(depth, numberedFiles(folder, "", "frame-", ".pose.txt")),
-                   recording);
-  } else {
-    setPoses(config.poses_path, config, recording);
-  }
+  setPosesOfFiles(folder, depth, numberedFiles(folder, "", "frame-", ".pose.txt"), config,
+                  recording);
   return recording;
 }
 
@@ -118,12 +125,7 @@ Recording readScanNetRecording(const std::string& folder, const SequenceReaderCo
   SequenceReaderConfig with_own = config;
   if (with_own.camera_path.empty()) with_own.camera_path = own;
   setCamera({}, kMillimetresPerM, folder, with_own, recording);
-  if (config.poses_path.empty()) {
-    adoptPoseFiles(folder, poseFilesOf(depth, numberedFiles(folder, "pose", "", ".txt")),
-                   recording);
-  } else {
-    setPoses(config.poses_path, config, recording);
-  }
+  setPosesOfFiles(folder, depth, numberedFiles(folder, "pose", "", ".txt"), config, recording);
   return recording;
 }
 
