@@ -25,9 +25,9 @@ class Workers {
 
   [[nodiscard]] int threads() const { return static_cast<int>(threads_.size()) + 1; }
   /// Calls `task` with 0 .. count - 1 and returns when all are done. Tasks must not throw. Each
-  /// thread begins with a share of its own, the same one every time, as what it left there may
-  /// still be in its cache; who is done with that helps the others. A thread that comes when no
-  /// task is left, on a machine that is busy with other work, is not waited for.
+  /// thread begins with the same share every time, which may still be in its cache, and then helps
+  /// the others. A thread that arrives when no task is left, as on a busy machine, is not waited
+  /// for.
   void run(int count, const std::function<void(int)>& task);
 
  private:

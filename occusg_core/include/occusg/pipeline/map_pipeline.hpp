@@ -37,7 +37,7 @@ class MapPipeline {
   /// @throws Error when the configuration breaks a rule.
   explicit MapPipeline(const PipelineConfig& config);
 
-  /// Goes on from a map that was saved. In the layer, `changed` is what differs from before.
+  /// Continues from a saved map. In the layer, `changed` is what differs from before.
   /// @throws Error when the map is larger than the layer can be; the state is then as before.
   const FreeSpace& startFrom(OccupancyMap map);
 

@@ -27,7 +27,7 @@ class Pipeline {
   /// @throws Error when the configuration breaks a rule.
   explicit Pipeline(const PipelineConfig& config);
 
-  /// Goes on from a map that was saved; before the first frame.
+  /// Continues from a saved map; to be called before the first frame.
   /// @throws Error when there was a frame, or the map is larger than the free-space layer can be;
   /// the state is then as before the call.
   void startFrom(OccupancyMap map);
