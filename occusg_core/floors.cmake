@@ -2,6 +2,7 @@
 occusg_add_floor(geometry
   SOURCES
     cell_outline.cpp
+    edge_contacts.cpp
     polygon.cpp
     polygon_overlap.cpp
     polygon_validity.cpp

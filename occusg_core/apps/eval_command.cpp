@@ -64,7 +64,7 @@ std::vector<EvaluatedRoom> roomsOfPicture(const std::string& path,
 std::vector<EvaluatedRoom> roomsOfFile(const std::string& path) {
   std::vector<EvaluatedRoom> rooms;
   for (const RoomRecord& record : readExternalRooms(path, RingOrder::kAsWritten).rooms) {
-    if (auto room = roomFrom(record.id, record.polygon)) {
+    if (auto room = roomFrom(record.id, record.polygon, path)) {
       rooms.push_back(*std::move(room));
     } else {
       std::cerr << "occusg: " << path << ": room " << record.id

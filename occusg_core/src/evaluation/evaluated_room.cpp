@@ -29,14 +29,19 @@ Polygon withoutRepetitions(const Polygon& polygon) {
 
 bool isSound(const Polygon& polygon) { return isSimple(withoutRepetitions(polygon)); }
 
-std::optional<EvaluatedRoom> roomFrom(int id, const Polygon& polygon) {
-  checkCoordinates(polygon, "room " + std::to_string(id));
+std::optional<EvaluatedRoom> roomFrom(int id, const Polygon& polygon, const std::string& where) {
+  const std::string room_name = where + ": room " + std::to_string(id);
+  checkCoordinates(polygon, room_name);
   Polygon clean = withoutRepetitions(polygon);
   EvaluatedRoom room{id, {}};
   if (isSimple(clean)) {
     room.parts.push_back(std::move(clean));
   } else {
-    room.parts = repaired(clean);
+    try {
+      room.parts = repaired(clean);
+    } catch (const Error& error) {
+      throw Error(room_name + ": " + error.what());
+    }
   }
   if (!(area(room) > 0.0)) return std::nullopt;
   return room;

@@ -35,14 +35,14 @@ class TruthRepair {
   explicit TruthRepair(std::string where) : where_(std::move(where)) {}
 
   void add(const TruthRoom& annotated) {
-    std::optional<EvaluatedRoom> room = roomFrom(annotated.id, annotated.polygon);
+    std::optional<EvaluatedRoom> room = roomFrom(annotated.id, annotated.polygon, where_);
     if (!room) {
       note(annotated.id, "encloses no area and is left out");
       return;
     }
     if (!isSound(annotated.polygon)) keepMainPiece(*room);
     for (const Polygon& polygon : annotated.further_parts) {
-      auto part = roomFrom(annotated.id, polygon);
+      auto part = roomFrom(annotated.id, polygon, where_);
       if (part) std::move(part->parts.begin(), part->parts.end(), std::back_inserter(room->parts));
     }
     rooms_.push_back({*std::move(room), annotated.level});

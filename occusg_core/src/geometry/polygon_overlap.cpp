@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "edge_contacts.hpp"
 #include "occusg/error.hpp"
 
 namespace occusg {
@@ -21,6 +22,41 @@ constexpr double kUnitsPerMetre = 1e7;
 
 /// How often a piece is shaved free, by twice as much each time, before it is given up as a sliver.
 constexpr int kMaxShavings = 8;
+
+/// Contacts of edges up to which polygons are taken whatever their number of edges, and beyond that
+/// for each edge. Outlines that follow the same cells touch four times at each of their vertices,
+/// triangles of a mesh some thirty times.
+constexpr std::size_t kFreeContacts = 100'000;
+constexpr std::size_t kContactsPerEdge = 64;
+
+/// A ring that crosses itself falls apart into about as many pieces as it has crossings, and each
+/// is tested by itself.
+constexpr std::size_t kFreeOwnContacts = 5'000;
+constexpr std::size_t kOwnContactsPerEdge = 8;
+
+std::size_t edgeCount(const Paths& paths) {
+  std::size_t sum = 0;
+  for (const Path& path : paths) sum += path.size();
+  return sum;
+}
+
+void refuseMoreContactsThan(std::size_t limit, const Paths& paths, const std::string& what) {
+  if (!hasMoreContactsThan(limit, paths)) return;
+  throw refuse(what, "edges cross or touch at more than " + std::to_string(limit) + " places",
+               "outlines of rooms that do not cross themselves are needed");
+}
+
+void refuseTangles(const Paths& paths) {
+  refuseMoreContactsThan(std::max(kFreeOwnContacts, kOwnContactsPerEdge * edgeCount(paths)), paths,
+                         "polygon of " + std::to_string(edgeCount(paths)) + " vertices");
+}
+
+void refuseTangles(Paths subject, const Paths& clip) {
+  subject.insert(subject.end(), clip.begin(), clip.end());
+  refuseMoreContactsThan(
+      std::max(kFreeContacts, kContactsPerEdge * edgeCount(subject)), subject,
+      "polygons of together " + std::to_string(edgeCount(subject)) + " vertices");
+}
 
 void checkCoordinates(const Ring& ring, const std::string& where) {
   for (const Point2& point : ring) {
@@ -79,6 +115,7 @@ Paths toLattice(const Polygon& polygon) {
 }
 
 double commonArea(const Paths& subject, const Paths& clip) {
+  refuseTangles(subject, clip);
   ClipperLib::Clipper clipper;
   clipper.AddPaths(subject, ClipperLib::ptSubject, true);
   clipper.AddPaths(clip, ClipperLib::ptClip, true);
@@ -170,6 +207,7 @@ std::vector<Polygon> disentangled(Paths rest) {
 }
 
 std::vector<Polygon> combined(const Paths& subject, const Paths& clip, ClipperLib::ClipType how) {
+  refuseTangles(subject, clip);
   ClipperLib::Clipper clipper;
   clipper.AddPaths(subject, ClipperLib::ptSubject, true);
   clipper.AddPaths(clip, ClipperLib::ptClip, true);
@@ -209,7 +247,9 @@ double coveredArea(const Polygon& polygon, const std::vector<Polygon>& others) {
 
 std::vector<Polygon> repaired(const Polygon& polygon) {
   checkCoordinates(polygon, "polygon");
-  return disentangled(toLattice(polygon));
+  const Paths paths = toLattice(polygon);
+  refuseTangles(paths);
+  return disentangled(paths);
 }
 
 std::vector<Polygon> united(const std::vector<Polygon>& polygons) {

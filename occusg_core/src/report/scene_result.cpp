@@ -14,14 +14,14 @@ namespace {
 std::vector<EvaluatedRoom> predictedRooms(const RoomsFile& file, std::vector<std::string>& notes) {
   std::vector<EvaluatedRoom> rooms;
   for (const RoomRecord& record : file.rooms) {
-    std::optional<EvaluatedRoom> room = roomFrom(record.id, record.polygon);
+    std::optional<EvaluatedRoom> room = roomFrom(record.id, record.polygon, "predicted rooms");
     if (!room) {
       notes.push_back("predicted room " + std::to_string(record.id) +
                       " encloses no area and is left out");
       continue;
     }
     for (const Polygon& polygon : record.further_parts) {
-      auto part = roomFrom(record.id, polygon);
+      auto part = roomFrom(record.id, polygon, "predicted rooms");
       if (part) std::move(part->parts.begin(), part->parts.end(), std::back_inserter(room->parts));
     }
     rooms.push_back(*std::move(room));

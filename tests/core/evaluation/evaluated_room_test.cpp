@@ -17,7 +17,7 @@ using testing::box;
 
 TEST(EvaluatedRoom, SoundPolygonIsKeptAsGiven) {
   const Ring clockwise{{0, 4}, {4, 4}, {4, 2}, {4, 0}, {0, 0}};
-  const auto room = roomFrom(7, {clockwise, {box(1, 1, 2, 2)}});
+  const auto room = roomFrom(7, {clockwise, {box(1, 1, 2, 2)}}, "rooms.json");
   ASSERT_TRUE(room.has_value());
   EXPECT_EQ(room->id, 7);
   ASSERT_EQ(room->parts.size(), 1U);
@@ -26,15 +26,15 @@ TEST(EvaluatedRoom, SoundPolygonIsKeptAsGiven) {
 }
 
 TEST(EvaluatedRoom, RepeatedVerticesAndHolesWithoutAreaAreDropped) {
-  const auto room =
-      roomFrom(1, {{{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {{{1, 1}, {2, 2}}}});
+  const auto room = roomFrom(
+      1, {{{0, 0}, {4, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {{{1, 1}, {2, 2}}}}, "rooms.json");
   ASSERT_TRUE(room.has_value());
   EXPECT_EQ(room->parts.at(0).outer, box(0, 0, 4, 4));
   EXPECT_TRUE(room->parts.at(0).holes.empty());
 }
 
 TEST(EvaluatedRoom, TangledPolygonIsTheSumOfItsPieces) {
-  const auto room = roomFrom(1, {{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {}});
+  const auto room = roomFrom(1, {{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {}}, "rooms.json");
   ASSERT_TRUE(room.has_value());
   EXPECT_EQ(room->parts.size(), 2U);
   EXPECT_NEAR(area(*room), 8.0, 1e-6);
@@ -46,16 +46,17 @@ TEST(EvaluatedRoom, TangledPolygonIsTheSumOfItsPieces) {
 }
 
 TEST(EvaluatedRoom, IsNothingWithoutArea) {
-  EXPECT_FALSE(roomFrom(1, {}).has_value());
-  EXPECT_FALSE(roomFrom(1, {{{0, 0}, {1, 1}}, {}}).has_value());
-  EXPECT_FALSE(roomFrom(1, {{{0, 0}, {1, 1}, {2, 2}}, {}}).has_value());
-  EXPECT_FALSE(roomFrom(1, {box(0, 0, 1, 1), {box(0, 0, 1, 1)}}).has_value()) << "all hole";
+  EXPECT_FALSE(roomFrom(1, {}, "rooms.json").has_value());
+  EXPECT_FALSE(roomFrom(1, {{{0, 0}, {1, 1}}, {}}, "rooms.json").has_value());
+  EXPECT_FALSE(roomFrom(1, {{{0, 0}, {1, 1}, {2, 2}}, {}}, "rooms.json").has_value());
+  EXPECT_FALSE(roomFrom(1, {box(0, 0, 1, 1), {box(0, 0, 1, 1)}}, "rooms.json").has_value())
+      << "all hole";
 }
 
 TEST(EvaluatedRoom, RefusesCoordinatesThatAreNotUsableNamingTheRoom) {
   for (const double bad : {std::nan(""), -std::numeric_limits<double>::infinity(), 1e200}) {
     try {
-      (void)roomFrom(42, {box(0, 0, 4, 4), {{{1, 1}, {2, 1}, {bad, 2}}}});
+      (void)roomFrom(42, {box(0, 0, 4, 4), {{{1, 1}, {2, 1}, {bad, 2}}}}, "rooms.json");
       FAIL() << "accepted " << bad;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find("room 42"), std::string::npos) << error.what();

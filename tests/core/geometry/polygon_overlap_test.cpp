@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "drawn_mask.hpp"
 #include "occusg/error.hpp"
@@ -25,6 +28,16 @@ double totalArea(const std::vector<Polygon>& polygons) {
   double sum = 0.0;
   for (const Polygon& polygon : polygons) sum += area(polygon);
   return sum;
+}
+
+template <typename Call>
+void expectRefused(const Call& call, const std::string& words) {
+  try {
+    call();
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
 }
 
 TEST(IntersectionArea, OfBoxesIsExact) {
@@ -248,6 +261,40 @@ TEST(Repaired, TanglesThatTouchThemselvesEverywhereStillGiveSimplePieces) {
     const double expected = evenOddArea(tangle, 0.05);
     EXPECT_NEAR(totalArea(pieces), expected, 0.05 * expected + 0.25);
   }
+}
+
+/// A comb with teeth upwards, 1 m apart, or to the right.
+Polygon comb(int teeth, bool sideways) {
+  Ring ring;
+  for (int i = 0; i < teeth; ++i) {
+    for (const Point2& corner : Ring{{i + 0.0, 0}, {i + 0.0, 1e4}, {i + 0.5, 1e4}, {i + 0.5, 0}})
+      ring.push_back(corner);
+  }
+  ring.push_back({1.0 * teeth, 0});
+  ring.push_back({1.0 * teeth, -1});
+  ring.push_back({0, -1});
+  if (sideways)
+    for (Point2& point : ring) std::swap(point.x, point.y);
+  return {ring, {}};
+}
+
+TEST(Repaired, RefusesAPolygonThatCrossesItselfThousandsOfTimes) {
+  std::mt19937 engine(1);
+  Polygon tangle;
+  for (int i = 0; i < 2000; ++i)
+    tangle.outer.push_back({0.001 * (engine() % 30000), 0.001 * (engine() % 30000)});
+  expectRefused([&] { (void)repaired(tangle); }, "edges cross or touch at more than 16000 places");
+}
+
+TEST(IntersectionArea, RefusesCombsThatCrossMillionsOfTimes) {
+  EXPECT_NEAR(intersectionArea(comb(100, false), comb(100, true)), 2500.0, 300.0);
+  expectRefused([&] { (void)intersectionArea(comb(2000, false), comb(2000, true)); },
+                "edges cross or touch at more than");
+}
+
+TEST(IntersectionArea, ALargeOutlineWithItselfIsNoTangle) {
+  const Polygon large = comb(2000, false);
+  EXPECT_NEAR(intersectionArea(large, large), area(large), 1.0);
 }
 
 TEST(UnitedPolygons, CoverEachPlaceOnce) {

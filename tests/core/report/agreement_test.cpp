@@ -22,7 +22,8 @@ constexpr double kAgreement = 1e-6;
 std::vector<EvaluatedRoom> roomsOfFile(const std::string& path) {
   std::vector<EvaluatedRoom> rooms;
   for (const RoomRecord& record : readRooms(path, RingOrder::kAsWritten).rooms)
-    if (auto room = roomFrom(record.id, record.polygon)) rooms.push_back(*std::move(room));
+    if (auto room = roomFrom(record.id, record.polygon, "rooms.json"))
+      rooms.push_back(*std::move(room));
   return rooms;
 }
 

@@ -21,8 +21,11 @@ struct EvaluatedRoom {
 /// are; repeated ones and holes of less than three vertices are dropped. Any other is repaired
 /// under the even-odd rule (`repaired`).
 /// @return nothing when no area is left: such a room is left out of an evaluation.
-/// @throws Error when a coordinate is not finite or beyond `kMaxCoordinate_m`.
-[[nodiscard]] std::optional<EvaluatedRoom> roomFrom(int id, const Polygon& polygon);
+/// @param where the file the room comes from, for errors.
+/// @throws Error when a coordinate is not finite or beyond `kMaxCoordinate_m`, and for an outline
+/// that crosses itself thousands of times.
+[[nodiscard]] std::optional<EvaluatedRoom> roomFrom(int id, const Polygon& polygon,
+                                                    const std::string& where);
 
 /// Whether `roomFrom` keeps the vertices: nothing crosses or touches itself but for repeated ones.
 [[nodiscard]] bool isSound(const Polygon& polygon);
