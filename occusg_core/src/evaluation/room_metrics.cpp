@@ -68,6 +68,9 @@ void check(const RoomMetricsOptions& options) {
   requireRange("min_classic_area_m2", options.min_classic_area_m2, 0.0, kLargest);
 }
 
+/// Pairs of rooms, whose time grows with the square of the rooms: about ten seconds.
+constexpr std::size_t kMaxComparedPairs = 100'000'000;
+
 std::vector<double> areasOf(const std::vector<EvaluatedRoom>& rooms) {
   std::vector<double> areas;
   areas.reserve(rooms.size());
@@ -77,6 +80,12 @@ std::vector<double> areasOf(const std::vector<EvaluatedRoom>& rooms) {
 
 AreaTable tableOf(const std::vector<EvaluatedRoom>& predicted,
                   const std::vector<EvaluatedRoom>& truth) {
+  if (predicted.size() * truth.size() > kMaxComparedPairs) {
+    throw refuse("room metrics",
+                 std::to_string(predicted.size()) + " predicted and " +
+                     std::to_string(truth.size()) + " annotated rooms",
+                 "at most " + std::to_string(kMaxComparedPairs) + " pairs can be compared");
+  }
   AreaTable table{{}, areasOf(predicted), areasOf(truth)};
   for (const EvaluatedRoom& p : predicted) {
     table.common.emplace_back();

@@ -81,7 +81,7 @@ DoorRecord doorOf(const json& value, const std::string& where, const std::set<in
 
 std::vector<DoorRecord> doorsOf(const json& values, const std::string& file,
                                 const std::vector<RoomRecord>& rooms) {
-  constexpr std::size_t kMaxDoors = 10 * kMaxRooms;
+  constexpr std::size_t kMaxDoors = kMaxGraphEdges;
   if (arrayOf(values, file + ": doors").size() > kMaxDoors) {
     throw refuse(file, "has " + std::to_string(values.size()) + " doors",
                  "at most " + std::to_string(kMaxDoors) + " are read");
@@ -98,7 +98,7 @@ std::vector<DoorRecord> doorsOf(const json& values, const std::string& file,
 }  // namespace
 
 RoomsFile parseRooms(const std::string& text, const std::string& where, RingOrder order) {
-  const json document = parseJson(text, where);
+  const json document = parseJson(text, where, kMaxGraphValues);
   RoomsFile file;
   if (const json* scene = optionalMember(document, "scene", where); scene != nullptr)
     file.scene = stringOf(*scene, where + ": scene");

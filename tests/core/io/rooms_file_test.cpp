@@ -171,15 +171,17 @@ std::string repeated(std::size_t count, const std::string& text) {
 }
 
 TEST(RoomsFile, CountsAreCapped) {
-  EXPECT_TRUE(tells(parsingFails("{\"rooms\": [" + repeated(10'001, "1") + "]}"),
-                    {"r.json", "has 10001 rooms", "at most 10000"}));
-  EXPECT_TRUE(tells(
-      parsingFails(withRoom("{\"id\": 1, \"polygon\": [" + repeated(100'001, "[0,0]") + "]}")),
-      {"r.json", "more than 100000 vertices"}));
-  EXPECT_TRUE(tells(parsingFails("{\"rooms\": [], \"doors\": [" + repeated(100'001, "1") + "]}"),
-                    {"has 100001 doors", "at most 100000"}));
-  EXPECT_TRUE(tells(parsingFails("{\"rooms\": [], \"x\": [" + repeated(2'000'001, "1") + "]}"),
-                    {"r.json", "more than 2000000 values"}));
+  EXPECT_TRUE(tells(parsingFails("{\"rooms\": [" + repeated(kMaxRooms + 1, "1") + "]}"),
+                    {"r.json", "has 166667 rooms", "at most 166666"}));
+  EXPECT_TRUE(tells(parsingFails(withRoom("{\"id\": 1, \"polygon\": [" +
+                                          repeated(kMaxRoomVertices + 1, "[0,0]") + "]}")),
+                    {"r.json", "more than 500000 vertices"}));
+  EXPECT_TRUE(
+      tells(parsingFails("{\"rooms\": [], \"doors\": [" + repeated(kMaxGraphEdges + 1, "1") + "]}"),
+            {"has 1000001 doors", "at most 1000000"}));
+  EXPECT_TRUE(
+      tells(parsingFails("{\"rooms\": [], \"x\": [" + repeated(kMaxGraphValues + 1, "1") + "]}"),
+            {"r.json", "more than 8000000 values"}));
 }
 
 TEST(RoomsFile, NestingIsCapped) {

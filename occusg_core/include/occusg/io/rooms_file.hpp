@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "occusg/geometry/polygon.hpp"
+#include "occusg/graph/limits.hpp"
 
 namespace occusg {
 
@@ -37,9 +38,9 @@ struct RoomsFile {
   std::vector<DoorRecord> doors;
 };
 
-/// Limits of what is read.
-inline constexpr std::size_t kMaxRooms = 10'000;
-inline constexpr std::size_t kMaxRoomVertices = 100'000;  ///< Of all rooms together.
+/// Limits of what is read. The rooms of every graph that can be written can be read.
+inline constexpr std::size_t kMaxRoomVertices = kMaxGraphVertices;  ///< Of all rooms together.
+inline constexpr std::size_t kMaxRooms = kMaxRoomVertices / 3;
 inline constexpr double kMaxRoomCoordinate_m = 1e6;
 
 /// Which way round the rings of a file come out.
