@@ -130,9 +130,10 @@ std::string reason(const cv::Exception& error) {
 }
 
 Error unusable(const std::string& path, const cv::Exception& error) {
-  return refuse(path, "OpenCV " + cv::getVersionString() + " cannot use it: " + reason(error),
-                "export the model with operators this version has (opset 12 or lower), or use a "
-                "newer OpenCV");
+  return refuse(
+      path, "OpenCV " + cv::getVersionString() + " cannot use it: " + reason(error),
+      "a YOLOv5 segmentation model of opset 12 works with OpenCV 4.2 and newer; YOLOv8 and "
+      "YOLO11 need a newer OpenCV");
 }
 
 }  // namespace

@@ -13,8 +13,9 @@
 namespace occusg {
 namespace {
 
-constexpr int kBoxRows = 4;          ///< Centre x, y, width, height.
-constexpr int kEndToEndColumns = 6;  ///< Two corners, score, class.
+constexpr int kBoxRows = 4;            ///< Centre x, y, width, height.
+constexpr int kObjectnessColumns = 5;  ///< Centre x, y, width, height, any object.
+constexpr int kEndToEndColumns = 6;    ///< Two corners, score, class.
 constexpr std::size_t kMaxCandidates = 3000;
 
 /// "1 x 38 x 8400"
@@ -98,6 +99,36 @@ YoloInstances anchorCandidates(const cv::Mat& predictions, int coefficient_count
   return result;
 }
 
+/// The best class given that there is an object; a NaN among the scores wins.
+BestClass bestClassOf(const float* scores, int class_count) {
+  BestClass best;
+  for (int id = 0; id < class_count && !std::isnan(best.score); ++id)
+    if (!(scores[id] <= best.score)) best = {id, scores[id]};
+  return best;
+}
+
+YoloInstances objectnessCandidates(const cv::Mat& predictions, int coefficient_count,
+                                   float min_confidence) {
+  const int class_count = predictions.cols - kObjectnessColumns - coefficient_count;
+  YoloInstances result;
+  for (int row = 0; row < predictions.rows; ++row) {
+    const auto* values = predictions.ptr<float>(row);
+    const float objectness = values[kBoxRows];
+    if (objectness < min_confidence) continue;
+    const BestClass top = bestClassOf(values + kObjectnessColumns, class_count);
+    YoloInstance candidate;
+    candidate.score = objectness * top.score;
+    if (candidate.score < min_confidence) continue;
+    candidate.class_id = top.id;
+    candidate.box = {values[0] - values[2] / 2.0, values[1] - values[3] / 2.0, values[2],
+                     values[3]};
+    candidate.coefficients =
+        predictions.row(row).colRange(kObjectnessColumns + class_count, predictions.cols).clone();
+    take(candidate, row, result);
+  }
+  return result;
+}
+
 /// The class of a row, which comes as a float; -1 when it is no class number.
 int classIn(float value) {
   constexpr float kMost = 1e6F;
@@ -119,6 +150,19 @@ YoloInstances endToEndInstances(const cv::Mat& predictions, float min_confidence
     take(instance, row, result);
   }
   return result;
+}
+
+YoloInstances candidatesOf(const cv::Mat& predictions, int coefficient_count, YoloLayout layout,
+                           float min_confidence) {
+  switch (layout) {
+    case YoloLayout::kAnchors:
+      return anchorCandidates(predictions, coefficient_count, min_confidence);
+    case YoloLayout::kAnchorsWithObjectness:
+      return objectnessCandidates(predictions, coefficient_count, min_confidence);
+    case YoloLayout::kEndToEnd:
+      break;
+  }
+  return endToEndInstances(predictions, min_confidence);
 }
 
 void sortByScore(std::vector<YoloInstance>& instances) {
@@ -176,6 +220,9 @@ YoloLayout layoutOf(const cv::Mat& predictions, const cv::Mat& prototypes, std::
   const int columns = predictions.size[2];
   const int classes = rows - kBoxRows - coefficients;
   if (classes > 0 && static_cast<std::size_t>(classes) == class_count) return YoloLayout::kAnchors;
+  const int classes_in_columns = columns - kObjectnessColumns - coefficients;
+  if (classes_in_columns > 0 && static_cast<std::size_t>(classes_in_columns) == class_count)
+    return YoloLayout::kAnchorsWithObjectness;
   if (columns == kEndToEndColumns + coefficients) return YoloLayout::kEndToEnd;
   if (classes > 0 && columns > rows) {
     throw refuse(
@@ -183,11 +230,18 @@ YoloLayout layoutOf(const cv::Mat& predictions, const cv::Mat& prototypes, std::
         "predictions " + shapeOf(predictions) + " are of " + std::to_string(classes) + " classes",
         "the list of names has " + std::to_string(class_count));
   }
+  if (classes_in_columns > 0 && rows > columns) {
+    throw refuse(where,
+                 "predictions " + shapeOf(predictions) + " are of " +
+                     std::to_string(classes_in_columns) + " classes",
+                 "the list of names has " + std::to_string(class_count));
+  }
   const std::string end = std::to_string(coefficients) + " coefficients)";
   throw refuse(
       where,
       "predictions " + shapeOf(predictions) + " do not fit prototypes " + shapeOf(prototypes),
-      "1 x (4 + classes + " + end + " x anchors or 1 x rows x (6 + " + end + " is needed");
+      "1 x (4 + classes + " + end + " x anchors, 1 x anchors x (5 + classes + " + end +
+          " or 1 x rows x (6 + " + end + " is needed");
 }
 
 YoloInstances decodeYolo(const cv::Mat& predictions, int coefficient_count,
@@ -195,11 +249,9 @@ YoloInstances decodeYolo(const cv::Mat& predictions, int coefficient_count,
   const cv::Mat matrix = matrixOf(predictions);
   // Compared as the network gives it: 0.7 as a float is a little less than as a double.
   const auto min_confidence = static_cast<float>(decoding.min_confidence);
-  YoloInstances found = decoding.layout == YoloLayout::kAnchors
-                            ? anchorCandidates(matrix, coefficient_count, min_confidence)
-                            : endToEndInstances(matrix, min_confidence);
+  YoloInstances found = candidatesOf(matrix, coefficient_count, decoding.layout, min_confidence);
   sortByScore(found.instances);
-  if (decoding.layout == YoloLayout::kAnchors) {
+  if (decoding.layout != YoloLayout::kEndToEnd) {
     keepFirst(kMaxCandidates, found);
     suppressOverlaps(found.instances, decoding.max_iou);
   }

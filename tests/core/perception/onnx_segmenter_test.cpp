@@ -175,7 +175,8 @@ TEST(OnnxSegmenter, OtherInputsAndOutputsAreNamed) {
             "needed");
   EXPECT_EQ(refusalOf("odd_shape"),
             "predictions 1 x 7 x 9 do not fit prototypes 1 x 32 x 16 x 16; 1 x (4 + classes + 32 "
-            "coefficients) x anchors or 1 x rows x (6 + 32 coefficients) is needed");
+            "coefficients) x anchors, 1 x anchors x (5 + classes + 32 coefficients) or 1 x rows x "
+            "(6 + 32 coefficients) is needed");
 }
 
 TEST(OnnxSegmenter, AnotherNumberOfNamesIsRefused) {

@@ -57,6 +57,24 @@ TEST(YoloOutput, LayoutIsToldByTheShapes) {
   EXPECT_EQ(layoutOf(zeros({1, 116, 8400}), prototypes, 80, "m"), YoloLayout::kAnchors);
   EXPECT_EQ(layoutOf(zeros({1, 300, 38}), prototypes, 80, "m"), YoloLayout::kEndToEnd);
   EXPECT_EQ(layoutOf(zeros({1, 38, 8400}), prototypes, 2, "m"), YoloLayout::kAnchors);
+  EXPECT_EQ(layoutOf(zeros({1, 25200, 117}), prototypes, 80, "m"),
+            YoloLayout::kAnchorsWithObjectness);
+  EXPECT_NE(refusal(zeros({1, 25200, 117}), prototypes, 79).find("80 classes"), std::string::npos);
+}
+
+TEST(YoloOutput, ScoreWithObjectnessIsItsProductWithTheBestClass) {
+  // Centre, size, objectness, two classes, coefficient.
+  const YoloInstances found =
+      decodeYolo(tensor((cv::Mat_<float>(4, 8) << 20, 32, 24, 30, 0.9F, 0.1F, 0.95F, -3,  //
+                         21, 32, 24, 30, 0.9F, 0.1F, 0.9F, 1,                             //
+                         80, 32, 24, 30, 0.9F, 0.5F, 0.6F, 1,                             //
+                         80, 32, 24, 30, 0.1F, 0.1F, 0.9F, 1)),
+                 1, {YoloLayout::kAnchorsWithObjectness, 0.7, 0.45});
+  ASSERT_EQ(found.instances.size(), 1U) << "one is suppressed, two are below the confidence";
+  EXPECT_EQ(found.instances[0].box, cv::Rect2d(8, 17, 24, 30));
+  EXPECT_EQ(found.instances[0].class_id, 1);
+  EXPECT_FLOAT_EQ(found.instances[0].score, 0.9F * 0.95F);
+  EXPECT_EQ(found.instances[0].coefficients.at<float>(0), -3.0F);
 }
 
 TEST(YoloOutput, AnotherNumberOfClassesIsRefusedWithBothNumbers) {
@@ -67,7 +85,8 @@ TEST(YoloOutput, AnotherNumberOfClassesIsRefusedWithBothNumbers) {
 TEST(YoloOutput, ShapesOfNeitherLayoutAreRefusedWithTheShapes) {
   EXPECT_EQ(refusal(zeros({1, 20, 6}), zeros({1, 32, 16, 16}), 3),
             "model.onnx: predictions 1 x 20 x 6 do not fit prototypes 1 x 32 x 16 x 16; 1 x (4 + "
-            "classes + 32 coefficients) x anchors or 1 x rows x (6 + 32 coefficients) is needed");
+            "classes + 32 coefficients) x anchors, 1 x anchors x (5 + classes + 32 coefficients) "
+            "or 1 x rows x (6 + 32 coefficients) is needed");
   EXPECT_NE(refusal(zeros({1, 84, 8400}), zeros({1, 84, 8400}), 80).find("1 x 84 x 8400"),
             std::string::npos);
   EXPECT_NE(refusal(zeros({2, 116, 8400}), zeros({2, 32, 16, 16}), 80), "") << "two images";

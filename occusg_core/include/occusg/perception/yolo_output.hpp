@@ -11,19 +11,23 @@
 
 namespace occusg {
 
-/// How a segmentation network lays out its predictions. Both come with prototypes
+/// How a segmentation network lays out its predictions. All come with prototypes
 /// 1 x coefficients x height x width, and boxes in pixels of the network's input.
 enum class YoloLayout {
   /// 1 x (4 + classes + coefficients) x anchors: box centre and size, a score per class, mask
   /// coefficients (YOLOv8, YOLO11). Overlapping boxes are to be suppressed.
   kAnchors,
+  /// 1 x anchors x (5 + classes + coefficients): box centre and size, a score for there being any
+  /// object, a score per class given that there is one, mask coefficients (YOLOv5, which OpenCV 4.2
+  /// to 4.6 can load, too). Overlapping boxes are to be suppressed.
+  kAnchorsWithObjectness,
   /// 1 x rows x (6 + coefficients): two box corners, score, class, mask coefficients (YOLO26).
   kEndToEnd,
 };
 
 /// Which layout the two outputs of a network have.
 /// @param where opens every sentence; the model's path.
-/// @throws Error giving the shapes when they fit neither layout, or when the number of classes is
+/// @throws Error giving the shapes when they fit no layout, or when the number of classes is
 /// not `class_count`.
 [[nodiscard]] YoloLayout layoutOf(const cv::Mat& predictions, const cv::Mat& prototypes,
                                   std::size_t class_count, const std::string& where);
@@ -45,11 +49,11 @@ struct YoloDecoding {
   YoloLayout layout = YoloLayout::kAnchors;
   double min_confidence = 0.70;
   double max_iou =
-      0.45;  ///< kAnchors: of two boxes of a class that overlap more, the better stays.
+      0.45;  ///< Not of kEndToEnd: of two boxes of a class that overlap more, the better stays.
 };
 
-/// Reads the instances off the predictions. Of kAnchors at most the 3000 best candidates take part
-/// in the suppression.
+/// Reads the instances off the predictions. At most the 3000 best candidates take part in the
+/// suppression.
 /// @param coefficient_count channels of the prototypes.
 /// @pre `layoutOf` accepted the shapes.
 [[nodiscard]] YoloInstances decodeYolo(const cv::Mat& predictions, int coefficient_count,
