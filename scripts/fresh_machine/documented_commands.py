@@ -92,6 +92,10 @@ def interrupt(process):
     return process.returncode
 
 
+# How every program with Debian 11's rospy ends on Ctrl-C: its Python no longer has what rospy calls.
+ROSPY_OF_DEBIAN_11 = "'Thread' object has no attribute 'isAlive'"
+
+
 class Failure(Exception):
     """A command that did not do what its document says."""
 
@@ -108,7 +112,7 @@ def run_to_the_end(command, port, timeout_s, log_path):
         try:
             code = process.wait(timeout_s)
         except subprocess.TimeoutExpired:
-            code = 0 if interrupt(process) in (0, 130, -2) else 1
+            code = 0 if interrupt(process) in (0, 130, -2) or ROSPY_OF_DEBIAN_11 in tail(log_path) else 1
     if code != 0:
         raise Failure(f"ended with {code}:\n{tail(log_path)}")
     return tail(log_path)
