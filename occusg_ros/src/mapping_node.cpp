@@ -61,6 +61,7 @@ MappingNode::MappingNode(const NodeHandles& handles)
 }
 
 MappingNode::~MappingNode() {
+  if (settings_.save_on_exit) saver_.hurry();
   health_timer_.stop();
   image_subscriber_.shutdown();
   info_subscriber_.shutdown();

@@ -103,7 +103,7 @@ class MappingNode {
   void noteStatus(double lag_s);
   void resetMap();
   void showNewMap();
-  [[nodiscard]] Saver::Writing writingTo(const std::string& name) const;
+  [[nodiscard]] Saver::Writing writingTo(const std::string& name, Saver::When when) const;
   [[nodiscard]] std::string save(const std::string& name);
   void saveFromTimeToTime();
   void noteSave(const std::string& folder, const std::string& problem);

@@ -45,13 +45,14 @@ std::string MappingNode::folderOf(const std::string& name) const {
          checkedSaveName(name);
 }
 
-Saver::Writing MappingNode::writingTo(const std::string& name) const {
+Saver::Writing MappingNode::writingTo(const std::string& name, Saver::When when) const {
   // A copy of the bytes: the tree itself goes on changing.
   const auto tree = std::make_shared<ChunkedBuffer>();
   std::ostream stream(tree.get());
   occusg::writeOctomap(map_->occupancyMap().tree(), occusg::OctomapEncoding::kFull, stream);
-  return [this, name, tree = std::shared_ptr<const ChunkedBuffer>(tree),
+  return [this, name, when, tree = std::shared_ptr<const ChunkedBuffer>(tree),
           layer = occusg::toMapFiles(map_->freeSpace(), "free_space.pgm")] {
+    if (saver_.mayLeaveOff(when)) return;
     if (name == kDefaultSaveName) generations_.makeRoom();
     const occusg::OutputFolder files(folderOf(name));
     (void)files.write(kMapFile, [&tree](std::ostream& out) { tree->writeTo(out); });
@@ -62,7 +63,7 @@ Saver::Writing MappingNode::writingTo(const std::string& name) const {
 
 std::string MappingNode::save(const std::string& name) {
   std::string folder = folderOf(name);
-  saver_.write(writingTo(name));
+  saver_.write(writingTo(name, Saver::When::kNow));
   return folder;
 }
 
@@ -71,7 +72,7 @@ void MappingNode::saveFromTimeToTime() {
   const std::size_t frames = map_->counts().frames;
   if (frames == frames_saved_ || !saver_.isDue(now_s)) return;
   frames_saved_ = frames;
-  saver_.writeInBackground(now_s, writingTo(kDefaultSaveName));
+  saver_.writeInBackground(now_s, writingTo(kDefaultSaveName, Saver::When::kInBackground));
 }
 
 void MappingNode::noteSave(const std::string& folder, const std::string& problem) {

@@ -58,6 +58,7 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
 }
 
 SceneGraphNode::~SceneGraphNode() {
+  if (settings_.save_on_exit) saver_.hurry();
   health_timer_.stop();
   tick_timer_.stop();
   grid_subscriber_.shutdown();

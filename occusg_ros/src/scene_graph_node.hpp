@@ -114,7 +114,7 @@ class SceneGraphNode {
   void publishMarkers(const std_msgs::Header& header);
   void noteStatus();
   void resetGraph();
-  [[nodiscard]] Saver::Writing writingTo(const std::string& name) const;
+  [[nodiscard]] Saver::Writing writingTo(const std::string& name, Saver::When when) const;
   [[nodiscard]] std::string save(const std::string& name);
   void saveFromTimeToTime();
   void noteSave(const std::string& folder, const std::string& problem);

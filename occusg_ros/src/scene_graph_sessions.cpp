@@ -58,27 +58,29 @@ void SceneGraphNode::resetGraph() {
 
 // The session is without a map: the 3D map is the other node's, which saves it beside, so that each
 // of the two can save and load alone.
-Saver::Writing SceneGraphNode::writingTo(const std::string& name) const {
+Saver::Writing SceneGraphNode::writingTo(const std::string& name, Saver::When when) const {
   auto state = std::make_shared<occusg::SessionState>();
   state->scene = settings_.scene;
   state->stamp_s = timeline_.last();
   state->T_map_camera = last_pose_;
   rooms_->saveTo(*state);
   const bool has_layer = settings_.mapping_node.empty();
-  return [this, name, has_layer, state = std::shared_ptr<const occusg::SessionState>(state),
+  return [this, name, when, has_layer, state = std::shared_ptr<const occusg::SessionState>(state),
           layer = layer_, times = rooms_->times(), floor_z_m = config_.graph.rooms.floor_z_m] {
     if (name == kDefaultSaveName) generations_.makeRoom();
     const occusg::OutputFolder files(folderOf(name));
     occusg::saveSession(sessionIn(files.path()), *state);
     const occusg::Findings findings{layer, state->graph.graph, floor_z_m, state->scene};
-    for (const occusg::ResultWriter& file : occusg::resultWriters(findings, times))
+    for (const occusg::ResultWriter& file : occusg::resultWriters(findings, times)) {
+      if (saver_.mayLeaveOff(when)) return;
       if (has_layer || !isOfTheLayer(file.name)) (void)files.write(file.name, file.write);
+    }
   };
 }
 
 std::string SceneGraphNode::save(const std::string& name) {
   std::string folder = folderOf(name);
-  saver_.write(writingTo(name));
+  saver_.write(writingTo(name, Saver::When::kNow));
   return folder;
 }
 
@@ -86,7 +88,7 @@ void SceneGraphNode::saveFromTimeToTime() {
   const double now_s = steadySeconds();
   if (!rooms_->lastUpdate() || sequence_ == sequence_saved_ || !saver_.isDue(now_s)) return;
   sequence_saved_ = sequence_;
-  saver_.writeInBackground(now_s, writingTo(kDefaultSaveName));
+  saver_.writeInBackground(now_s, writingTo(kDefaultSaveName, Saver::When::kInBackground));
 }
 
 void SceneGraphNode::noteSave(const std::string& folder, const std::string& problem) {

@@ -1,6 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Every launch file and every YAML file loads, with all its arguments; needs no master.
+# Every launch file and every YAML file loads, with all its arguments, and every launch file for a robot or a recording
+# passes on what it is given; needs no master.
 # Usage: launch_files_test.sh ROOT
 set -euo pipefail
 root=$1
@@ -14,6 +15,17 @@ for launch in "$root"/launch/*.launch "$root"/launch/bringup/*.launch; do
   for name in $(sed -n 's/.*<arg name="\([a-z_]*\)" doc=.*/\1/p' "$launch"); do arguments+=("$name:=given"); done
   echo "$launch"
   roslaunch --dump-params "$launch" "${arguments[@]}" > /dev/null
+  # A pattern for two robots is not one for a robot.
+  if [ "$(basename "$launch")" != several_robots.launch ]; then
+    loaded=$(roslaunch --dump-params "$launch" "${arguments[@]}" resume:=tested save_folder:=tested autosave_period_s:=7.5 \
+      pose_source:=odometry odom:=tested robot_frame:=tested)
+    for parameter in resume save_folder autosave_period_s pose_source odom robot_frame; do
+      if ! grep -qE "^/occusg/scene_graph/$parameter: '?(tested|7.5|odometry)" <<< "$loaded"; then
+        echo "launch_files_test: $launch does not pass $parameter on" >&2
+        exit 1
+      fi
+    done
+  fi
   undocumented=$(grep -c '<arg .*default="[^"]*"/>' "$launch" || true)
   if [ "$undocumented" -ne 0 ]; then
     echo "launch_files_test: an argument of $launch has no doc" >&2

@@ -33,6 +33,57 @@ std::string quoted(const json& value) {
                "a smaller file is needed");
 }
 
+/// Goes through a document before anything of it is kept. Ends quietly where it is no JSON, which
+/// the parser says better.
+class LimitCheck {
+ public:
+  LimitCheck(const std::string& where, std::size_t max_values)
+      : where_(where), max_values_(max_values) {}
+
+  // The names are the library's (json_sax).
+  bool null() { return count(); }
+  bool boolean(bool /*value*/) { return count(); }
+  bool number_integer(json::number_integer_t /*value*/) { return count(); }
+  bool number_unsigned(json::number_unsigned_t /*value*/) { return count(); }
+  bool number_float(json::number_float_t /*value*/, const std::string& /*text*/) { return count(); }
+  bool string(std::string& /*value*/) { return count(); }
+  template <typename Bytes>
+  bool binary(Bytes& /*value*/) {
+    return count();
+  }
+  bool start_object(std::size_t /*elements*/) { return open(); }
+  bool key(std::string& /*value*/) { return true; }
+  bool end_object() { return close(); }
+  bool start_array(std::size_t /*elements*/) { return open(); }
+  bool end_array() { return close(); }
+  static bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                          const json::exception& /*error*/) {
+    return false;
+  }
+
+ private:
+  bool count() {
+    if (++values_ > max_values_) failOnCount(where_, max_values_);
+    return true;
+  }
+  bool open() {
+    if (++depth_ > kMaxDepth) {
+      throw refuse(where_, "is nested deeper than " + std::to_string(kMaxDepth) + " levels",
+                   "a flatter file is needed");
+    }
+    return count();
+  }
+  bool close() {
+    --depth_;
+    return true;
+  }
+
+  const std::string& where_;
+  std::size_t max_values_;
+  std::size_t values_ = 0;
+  int depth_ = 0;
+};
+
 std::size_t valuesIn(const json& value) {
   std::size_t count = 1;
   if (value.is_structured())
@@ -62,21 +113,11 @@ std::string reasonOf(const json::exception& error) {
 }  // namespace
 
 json parseJson(const std::string& text, const std::string& where, std::size_t max_values) {
-  std::size_t values = 0;
-  const auto limit = [&](int depth, json::parse_event_t event, json& /*parsed*/) {
-    if (depth > kMaxDepth) {
-      throw refuse(where, "is nested deeper than " + std::to_string(kMaxDepth) + " levels",
-                   "a flatter file is needed");
-    }
-    using Event = json::parse_event_t;
-    if (event == Event::value || event == Event::array_start || event == Event::object_start) {
-      ++values;
-    }
-    if (values > max_values) failOnCount(where, max_values);
-    return true;
-  };
+  // Not with a callback of the parser: it goes through a whole array again after each object in it.
+  LimitCheck limits(where, max_values);
+  (void)json::sax_parse(text, &limits);
   try {
-    return json::parse(text, limit);
+    return json::parse(text);
   } catch (const json::parse_error& error) {
     const std::size_t byte = error.byte == 0 ? 0 : error.byte - 1;
     throw refuse(where + ":" + lineAt(text, byte), "is not valid JSON (" + reasonOf(error) + ")",

@@ -16,6 +16,8 @@ namespace {
 constexpr int kBoxRows = 4;            ///< Centre x, y, width, height.
 constexpr int kObjectnessColumns = 5;  ///< Centre x, y, width, height, any object.
 constexpr int kEndToEndColumns = 6;    ///< Two corners, score, class.
+/// End-to-end models give a few hundred instances, the others thousands of anchors.
+constexpr int kMaxEndToEndRows = 1000;
 constexpr std::size_t kMaxCandidates = 3000;
 
 /// "1 x 38 x 8400"
@@ -221,9 +223,12 @@ YoloLayout layoutOf(const cv::Mat& predictions, const cv::Mat& prototypes, std::
   const int classes = rows - kBoxRows - coefficients;
   if (classes > 0 && static_cast<std::size_t>(classes) == class_count) return YoloLayout::kAnchors;
   const int classes_in_columns = columns - kObjectnessColumns - coefficients;
+  // With a single class both layouts have as many columns.
+  const bool is_end_to_end =
+      columns == kEndToEndColumns + coefficients && (class_count > 1 || rows <= kMaxEndToEndRows);
+  if (is_end_to_end) return YoloLayout::kEndToEnd;
   if (classes_in_columns > 0 && static_cast<std::size_t>(classes_in_columns) == class_count)
     return YoloLayout::kAnchorsWithObjectness;
-  if (columns == kEndToEndColumns + coefficients) return YoloLayout::kEndToEnd;
   if (classes > 0 && columns > rows) {
     throw refuse(
         where,

@@ -17,6 +17,8 @@ class Saver {
  public:
   /// Writes a copy of what was known; throws when it cannot.
   using Writing = std::function<void()>;
+  /// When a writing is done; one in the background may be left off when the node ends.
+  enum class When { kNow, kInBackground };
   /// What became of a writing in the background: the sentence of what went wrong, empty: nothing.
   using Report = std::function<void(const std::string& problem)>;
 
@@ -34,6 +36,13 @@ class Saver {
   /// on one thread.
   [[nodiscard]] bool isDue(double now_s) const;
   void writeInBackground(double now_s, Writing writing);
+  /// The node is ending and will `write` everything: a writing in the background may leave out what
+  /// it has not begun.
+  void hurry() { is_ending_ = true; }
+  /// Whether a writing may leave out the rest.
+  [[nodiscard]] bool mayLeaveOff(When when) const {
+    return when == When::kInBackground && is_ending_;
+  }
   /// Writes at once, after what is being written.
   void write(const Writing& writing);
 
@@ -46,6 +55,7 @@ class Saver {
   Report report_;
   std::mutex writing_mutex_;  ///< Held while something is written.
   std::atomic<bool> is_busy_{false};
+  std::atomic<bool> is_ending_{false};
   std::mutex mutex_;  ///< Of `next_` and `stopping_`.
   std::condition_variable changed_;
   Writing next_;

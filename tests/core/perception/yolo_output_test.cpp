@@ -59,6 +59,9 @@ TEST(YoloOutput, LayoutIsToldByTheShapes) {
   EXPECT_EQ(layoutOf(zeros({1, 38, 8400}), prototypes, 2, "m"), YoloLayout::kAnchors);
   EXPECT_EQ(layoutOf(zeros({1, 25200, 117}), prototypes, 80, "m"),
             YoloLayout::kAnchorsWithObjectness);
+  EXPECT_EQ(layoutOf(zeros({1, 25200, 38}), prototypes, 1, "m"),
+            YoloLayout::kAnchorsWithObjectness);
+  EXPECT_EQ(layoutOf(zeros({1, 300, 38}), prototypes, 1, "m"), YoloLayout::kEndToEnd);
   EXPECT_NE(refusal(zeros({1, 25200, 117}), prototypes, 79).find("80 classes"), std::string::npos);
 }
 

@@ -40,6 +40,14 @@ TEST(Saver, FailureMode15SlowDiskKeepsNobodyWaitingAndNothingPilesUp) {
   EXPECT_EQ(reported.get_future().get(), "");
 }
 
+TEST(Saver, FailureMode15OnlyAWritingInTheBackgroundIsLeftOffAtTheEnd) {
+  Saver saver(1.0, 0.0, [](const std::string&) {});
+  EXPECT_FALSE(saver.mayLeaveOff(Saver::When::kInBackground));
+  saver.hurry();
+  EXPECT_TRUE(saver.mayLeaveOff(Saver::When::kInBackground));
+  EXPECT_FALSE(saver.mayLeaveOff(Saver::When::kNow));
+}
+
 TEST(Saver, FailureMode20AllIsWrittenOnOneThread) {
   std::set<std::thread::id> threads;
   Saver saver(1.0, 0.0, [](const std::string&) {});

@@ -47,7 +47,7 @@ enum class PngEffort { kSmallest, kFast };
 
 /// Fast for an overview of so many rooms that a picture of it is all lines.
 [[nodiscard]] constexpr PngEffort effortFor(std::size_t rooms) {
-  constexpr std::size_t kMany = 500;
+  constexpr std::size_t kMany = 100;
   return rooms > kMany ? PngEffort::kFast : PngEffort::kSmallest;
 }
 
