@@ -20,12 +20,15 @@
 
 #include "occusg/error.hpp"
 #include "occusg/io/output_folder.hpp"
+#include "occusg/perception/class_names.hpp"
+#include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "occusg_ros/compressed_depth.hpp"
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/orientation_check.hpp"
+#include "occusg_ros/recent_colors.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "tool_options.hpp"
 
@@ -48,6 +51,9 @@ struct Options {
   std::string info_topic;
   std::string map_frame = "map";
   double depth_units_per_m = occusg_ros::kMillimetresPerMetre;
+  std::string model;
+  std::string classes;
+  std::string color_topic;
 };
 
 bool parse(int argc, char** argv, Options& options) {
@@ -57,7 +63,8 @@ bool parse(int argc, char** argv, Options& options) {
       "whole\n"
       "pipeline, as fast as it goes, and writes the files `occusg run` writes. Depth images may "
       "be\n"
-      "plain or of the transports compressedDepth and compressed.\n\nOptions");
+      "plain or of the transports compressedDepth and compressed. With --model objects are found\n"
+      "in the colour images, which must be registered to the depth images.\n\nOptions");
   named.add_options()("output,o", po::value(&options.output),
                       "folder for the results; created when missing")(
       "config", po::value(&options.config), "'default', 'paper' or a YAML file")(
@@ -66,13 +73,21 @@ bool parse(int argc, char** argv, Options& options) {
       "info", po::value(&options.info_topic), "topic of their camera_info; else beside them")(
       "map-frame", po::value(&options.map_frame), "frame of the map")(
       "depth-scale", po::value(&options.depth_units_per_m),
-      "value of one metre in 16-bit depth images: 1000, or 4000 for an L515, 5000 for TUM's");
+      "value of one metre in 16-bit depth images: 1000, or 4000 for an L515, 5000 for TUM's")(
+      "model", po::value(&options.model), "ONNX segmentation model of the YOLO family")(
+      "classes", po::value(&options.classes), "the model's class names, one a line")(
+      "color", po::value(&options.color_topic),
+      "topic of the colour images, plain or compressed; needed when the bag has several");
   if (!occusg_ros::parseToolOptions(argc, argv, named, options.bags)) return false;
   if (options.bags.empty() || options.output.empty())
     throw occusg::Error("name a bag and, with -o, a folder for the results; see --help");
   if (!(options.depth_units_per_m >= 1.0 && options.depth_units_per_m <= 1e6)) {
     throw occusg::refuse("--depth-scale", "is " + std::to_string(options.depth_units_per_m),
                          "a number from 1 to 1000000 is needed");
+  }
+  if (options.model.empty() != options.classes.empty()) {
+    throw occusg::refuse(options.model.empty() ? "--classes" : "--model", "stands alone",
+                         "a model and its class names go together");
   }
   return true;
 }
@@ -100,8 +115,16 @@ bool isImage(const std::string& type) {
   return type == "sensor_msgs/Image" || type == "sensor_msgs/CompressedImage";
 }
 
-/// The only topic of images that calls itself depth; a plain one goes before a compressed one.
-std::string depthTopicOf(const Bags& bags) {
+enum class Picture { kDepth, kColor };
+
+bool isOf(Picture picture, const std::string& topic) {
+  const auto has = [&topic](const char* word) { return topic.find(word) != std::string::npos; };
+  return picture == Picture::kDepth ? has("depth") : (has("rgb") || has("color")) && !has("depth");
+}
+
+/// The only topic of images that calls itself depth, or colour; a plain one goes before a
+/// compressed one.
+std::string topicOf(Picture picture, const Bags& bags) {
   std::set<std::string> plain;
   std::set<std::string> compressed;
   std::set<std::string> all;
@@ -109,7 +132,7 @@ std::string depthTopicOf(const Bags& bags) {
     for (const rosbag::ConnectionInfo* connection : rosbag::View(*bag).getConnections()) {
       if (!isImage(connection->datatype)) continue;
       all.insert(connection->topic);
-      if (connection->topic.find("depth") == std::string::npos) continue;
+      if (!isOf(picture, connection->topic)) continue;
       (connection->datatype == "sensor_msgs/Image" ? plain : compressed).insert(connection->topic);
     }
   }
@@ -119,7 +142,9 @@ std::string depthTopicOf(const Bags& bags) {
   for (const std::string& topic : all) list += (list.empty() ? "" : ", ") + topic;
   throw occusg::refuse(bags.front()->getFileName(),
                        list.empty() ? "it has no images" : "its topics of images are " + list,
-                       "name the one with depth, as in --depth /camera/depth/image_rect");
+                       picture == Picture::kDepth
+                           ? "name the one with depth, as in --depth /camera/depth/image_rect"
+                           : "name the one with colour, as in --color /camera/rgb/image_color");
 }
 
 /// Where the camera_info of a topic is by convention: beside the plain images.
@@ -132,16 +157,31 @@ std::string infoTopicOf(std::string depth_topic) {
   return depth_topic.substr(0, depth_topic.rfind('/')) + "/camera_info";
 }
 
+std::unique_ptr<occusg::OnnxSegmenter> segmenterFor(const Options& options,
+                                                    occusg::OnnxSegmenterConfig config) {
+  if (options.model.empty()) return nullptr;
+  config.model_path = options.model;
+  config.class_names = occusg::readClassNames(options.classes);
+  return std::make_unique<occusg::OnnxSegmenter>(config);
+}
+
 /// The pipeline behind the messages of a bag.
 class BagRun {
  public:
   BagRun(const Options& options, occusg::Pipeline& pipeline)
-      : options_(options), pipeline_(pipeline), tf_(ros::Duration(kTfCache_s)) {}
+      : options_(options),
+        pipeline_(pipeline),
+        tf_(ros::Duration(kTfCache_s)),
+        segmenter_(segmenterFor(options, pipeline.config().segmenter)),
+        colors_(options.color_topic) {}
 
   void run(const Bags& bags);
   [[nodiscard]] InputHealth::Counts counts() const { return health_.counts(); }
   /// What looks wrong with how the map lies; empty when nothing does.
   [[nodiscard]] std::string doubt() const { return orientation_.doubt(); }
+  /// Depth images without a colour image of their time, of those that needed one.
+  [[nodiscard]] std::size_t withoutColor() const { return without_color_; }
+  [[nodiscard]] const std::string& colorProblem() const { return color_problem_; }
 
  private:
   struct Waiting {
@@ -153,6 +193,9 @@ class BagRun {
   void takeTransforms(const tf2_msgs::TFMessage& transforms, bool is_static);
   void takeCompressed(const sensor_msgs::CompressedImage& compressed);
   void takeImage(const sensor_msgs::ImageConstPtr& image);
+  void takeColor(const rosbag::MessageInstance& message);
+  /// What the model sees in the colour image of that time; nothing without one.
+  [[nodiscard]] std::optional<occusg::InstanceMasks> masksAt(double stamp_s);
   enum class Patience { kWait, kGiveUp };
   void processWaiting(Patience patience);
   void process(const Waiting& waiting, const occusg::Pose& pose);
@@ -165,11 +208,16 @@ class BagRun {
   std::optional<occusg::CameraModel> camera_;
   std::string camera_problem_;  ///< Of the last camera_info; empty while there was none.
   std::deque<Waiting> waiting_;
+  std::unique_ptr<occusg::OnnxSegmenter> segmenter_;  ///< Null without a model.
+  occusg_ros::RecentColors colors_;
+  std::size_t without_color_ = 0;
+  std::string color_problem_;  ///< Of the last colour image that cannot be used.
 };
 
 void BagRun::run(const Bags& bags) {
-  const rosbag::TopicQuery topics(
-      std::vector<std::string>{"/tf", "/tf_static", options_.depth_topic, options_.info_topic});
+  std::vector<std::string> names{"/tf", "/tf_static", options_.depth_topic, options_.info_topic};
+  if (segmenter_) names.push_back(options_.color_topic);
+  const rosbag::TopicQuery topics(names);
   rosbag::View view;
   for (const auto& bag : bags) view.addQuery(*bag, topics);
   for (const rosbag::MessageInstance& message : view) {
@@ -180,8 +228,31 @@ void BagRun::run(const Bags& bags) {
   pipeline_.finish();
 }
 
+void BagRun::takeColor(const rosbag::MessageInstance& message) {
+  if (const auto image = message.instantiate<sensor_msgs::Image>()) {
+    colors_.add(image);
+  } else if (const auto compressed = message.instantiate<sensor_msgs::CompressedImage>()) {
+    colors_.add(compressed);
+  }
+}
+
+std::optional<occusg::InstanceMasks> BagRun::masksAt(double stamp_s) {
+  if (!segmenter_) return std::nullopt;
+  std::optional<cv::Mat> picture;
+  try {
+    picture = colors_.at(stamp_s);
+  } catch (const occusg::Error& error) {
+    color_problem_ = error.what();  // the depth image is used all the same
+  }
+  if (picture) return segmenter_->segment(*picture);
+  ++without_color_;
+  return std::nullopt;
+}
+
 void BagRun::take(const rosbag::MessageInstance& message) {
-  if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+  if (segmenter_ && message.getTopic() == options_.color_topic) {
+    takeColor(message);
+  } else if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
     takeTransforms(*transforms, message.getTopic() == "/tf_static");
   } else if (const auto info = message.instantiate<sensor_msgs::CameraInfo>()) {
     try {
@@ -235,7 +306,8 @@ void BagRun::processWaiting(Patience patience) {
     const std_msgs::Header& header = first.image->header;
     const PoseAnswer answer =
         occusg_ros::poseAt(tf_, options_.map_frame, header.frame_id, header.stamp);
-    const bool is_late = !first.camera || answer.kind == PoseAnswer::Kind::kNotYet;
+    const bool is_late = !first.camera || answer.kind == PoseAnswer::Kind::kNotYet ||
+                         (segmenter_ && colors_.mayStillCome(header.stamp.toSec()));
     if (is_late && may_wait) return;
     if (!first.camera) {
       health_.noteDropped(Drop::kCameraInfo, "no camera_info on " + options_.info_topic);
@@ -254,7 +326,11 @@ void BagRun::process(const Waiting& waiting, const occusg::Pose& pose) {
         waiting.image->header.stamp.toSec(),
         occusg_ros::toDepthImage(*waiting.image, options_.depth_topic, options_.depth_units_per_m),
         waiting.camera.value(), pose};
-    pipeline_.process(frame);
+    if (const auto masks = masksAt(frame.stamp_s)) {
+      pipeline_.process(frame, *masks);
+    } else {
+      pipeline_.process(frame);
+    }
     orientation_.add(frame);
     health_.noteUsed();
   } catch (const occusg::Error& error) {
@@ -279,7 +355,9 @@ void report(const InputHealth::Counts& counts, const occusg::Pipeline& pipeline,
 int process(Options options) {
   occusg::Pipeline pipeline(occusg::loadConfig(options.config));
   const Bags bags = openedBags(options.bags);
-  if (options.depth_topic.empty()) options.depth_topic = depthTopicOf(bags);
+  if (options.depth_topic.empty()) options.depth_topic = topicOf(Picture::kDepth, bags);
+  if (!options.model.empty() && options.color_topic.empty())
+    options.color_topic = topicOf(Picture::kColor, bags);
   if (options.info_topic.empty()) options.info_topic = infoTopicOf(options.depth_topic);
   const occusg::OutputFolder folder(options.output);
   BagRun run(options, pipeline);
@@ -288,6 +366,14 @@ int process(Options options) {
   writeResultFiles(folder, resultFiles(pipeline, scene, pipeline.times()));
   const InputHealth::Counts counts = run.counts();
   report(counts, pipeline, folder.path());
+  if (run.withoutColor() > 0) {
+    std::cerr << "occusg_bag: " << run.withoutColor()
+              << " depth images have no usable colour image of " << options.color_topic
+              << " within " << occusg_ros::RecentColors::kTolerance_s
+              << " s; no objects were looked for in them\n";
+    if (!run.colorProblem().empty())
+      std::cerr << "  the last problem: " << run.colorProblem() << '\n';
+  }
   const std::string doubt = run.doubt();
   if (!doubt.empty()) std::cerr << "occusg_bag: " << doubt << '\n';
   return 2 * counts.used >= counts.received && counts.used > 0 ? 0 : 1;

@@ -157,6 +157,22 @@ class BagToolsTest(unittest.TestCase):
                 packed.write(topic, message, stamp)
         self.assert_gives_the_same_rooms("of_compressed", path)
 
+    def test_a_model_finds_the_objects_of_the_recording(self):
+        models = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data", "segmentation")
+        model = ("--model", os.path.join(models, "middle.onnx"), "--classes", os.path.join(models, "classes.txt"))
+        path = os.path.join(WORK, "colour.bag")
+        self.assertEqual(run(PLAY, RECORDING, "--bag", path).returncode, 0)
+        ended = run(BAG, path, "-o", os.path.join(WORK, "objects_of_bag"), *model)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        self.assertEqual(run(OCCUSG, "run", RECORDING, "-o", os.path.join(WORK, "objects_of_recording"), *model).returncode, 0)
+        of_bag, of_recording = ([[round(x, 2) for x in node["position"]]
+                                 for node in json.loads(read(folder, "scene_graph.json"))["nodes"] if node["type"] == "OBJECT"]
+                                for folder in ("objects_of_bag", "objects_of_recording"))
+        self.assertGreater(len(of_bag), 0)
+        self.assertEqual(of_bag, of_recording)
+        self.assertIn("stands alone", self.refused(BAG, path, "-o", os.path.join(WORK, "never"), *model[:2]))
+        self.assertIn("--color", self.refused(BAG, self.bag, "-o", os.path.join(WORK, "never"), *model))
+
     def test_a_bag_that_was_not_closed_is_told_how_to_mend(self):
         path = os.path.join(WORK, "unindexed.bag")
         with open(self.bag, "rb") as file:
