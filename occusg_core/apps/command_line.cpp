@@ -3,8 +3,8 @@
 
 #include <iostream>
 
+#include "occusg/parameter.hpp"
 #include "occusg/pipeline/config_file.hpp"
-#include "occusg/pipeline/parameter.hpp"
 
 namespace occusg::apps {
 namespace po = boost::program_options;

@@ -8,7 +8,7 @@
 
 #include "command_line.hpp"
 #include "occusg/error.hpp"
-#include "occusg/pipeline/parameter.hpp"
+#include "occusg/parameter.hpp"
 #include "version.hpp"
 
 namespace occusg::apps {

@@ -69,7 +69,7 @@ const char* nameOf(occusg::RoomReason reason) {
 occusg::AgentInfo agentMsg(const SceneGraph& graph, const Node& node) {
   occusg::AgentInfo msg;
   msg.id = node.id;
-  msg.pose = toPoseMsg(std::get<occusg::AgentAttributes>(node.attributes).T_map_camera);
+  msg.pose = toPoseMsg(std::get<occusg::AgentAttributes>(node.attributes).T_map_agent);
   msg.room = graph.roomOf(node.id).value_or(kNone);
   msg.stamp = stampOf(node.created_s);
   return msg;

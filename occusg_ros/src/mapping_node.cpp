@@ -343,14 +343,15 @@ void MappingNode::process(const WaitingImage& waiting) {
   if (!camera) return;
   try {
     const double start_s = steadySeconds();
-    const occusg::MapCounts before = map_->counts();
     const occusg::DepthFrame frame{
         waiting.logical_s,
         toDepthImage(*waiting.image, image_subscriber_.getTopic(), settings_.depth_units_per_m),
         *camera, answer.T_target_source};
-    map_->process(frame);
+    const occusg::FrameReport report = map_->process(frame);
     frame_times_.add(occusg::Stage::kTotal, 1000.0 * (steadySeconds() - start_s));
-    if (!reachedMap(before)) {
+    warnOfFewPixels(report);
+    if (!report.isUsed()) {
+      drop(Drop::kMap, sentenceOn(report.verdict));
       noteStatus(steadySeconds() - waiting.arrived_s);
       return;
     }
@@ -389,28 +390,11 @@ void MappingNode::checkOrientation(const WaitingImage& waiting, const occusg::Ca
   status_.doubt = doubt;
 }
 
-bool MappingNode::reachedMap(const occusg::MapCounts& before) {
-  const occusg::MapCounts& now = map_->counts();
-  const auto points = static_cast<double>(now.points - before.points);
-  const auto drops = static_cast<double>(now.pixel_drops.total() - before.pixel_drops.total());
+void MappingNode::warnOfFewPixels(const occusg::FrameReport& report) {
+  const auto points = static_cast<double>(report.points);
+  const auto drops = static_cast<double>(report.pixel_drops.total());
   if (points < kFewValidPixels * (points + drops) && pixel_warnings_.allows())
     ROS_WARN_STREAM(handles_.name << ": less than 5 % of the depth image is valid");
-  if (now.frames_without_memory > before.frames_without_memory) {
-    drop(Drop::kMap, "the map has reached mapping/occupancy/max_memory_mb; reset it or raise it");
-  } else if (now.frames_outside_map > before.frames_outside_map) {
-    drop(Drop::kMap, "the camera is farther away than the map reaches; choose a nearer origin");
-  } else if (now.frames_too_fast > before.frames_too_fast) {
-    drop(Drop::kMap, "its pose is farther from the last one than a robot gets in that time");
-  } else if (now.frames_beyond_span > before.frames_beyond_span) {
-    drop(Drop::kMap, "the map would become wider than its free-space layer can be");
-  } else if (now.frames_from_occupied > before.frames_from_occupied) {
-    drop(Drop::kMap, "the camera would be inside an obstacle; the pose or the map is wrong there");
-  } else if (now.frames_without_depth > before.frames_without_depth) {
-    drop(Drop::kMap, "not one pixel has a depth");
-  } else {
-    return true;
-  }
-  return false;
 }
 
 void MappingNode::publishLayer(const std_msgs::Header& header, double logical_s) {

@@ -95,7 +95,7 @@ class MappingNode {
   /// Whether the frame just processed changed the map; says why when it did not.
   void checkOrientation(const WaitingImage& waiting, const occusg::CameraModel& camera,
                         const occusg::Pose& T_map_camera);
-  [[nodiscard]] bool reachedMap(const occusg::MapCounts& before);
+  void warnOfFewPixels(const occusg::FrameReport& report);
   void publishLayer(const std_msgs::Header& header, double logical_s);
   void sendLayer(const std_msgs::Header& header);
   void publishVoxels(const std_msgs::Header& header);

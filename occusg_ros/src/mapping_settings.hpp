@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "occusg/pipeline/parameter.hpp"
+#include "occusg/parameter.hpp"
 #include "occusg_ros/parameters.hpp"
 #include "occusg_ros/pending_frames.hpp"
 #include "occusg_ros/pose_gate.hpp"

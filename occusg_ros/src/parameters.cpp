@@ -62,8 +62,10 @@ Parameter textParameter(std::string& value, occusg::ParameterText text) {
                       std::move(text.description),
                       std::move(text.paper),
                       {},
+                      {},
                       {}};
   parameter.print = [&value] { return value; };
+  parameter.holds = [] { return true; };
   parameter.assign = [&value](std::string_view given) {
     value = std::string(given);
     return true;

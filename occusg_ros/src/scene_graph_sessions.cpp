@@ -62,7 +62,7 @@ Saver::Writing SceneGraphNode::writingTo(const std::string& name, Saver::When wh
   auto state = std::make_shared<occusg::SessionState>();
   state->scene = settings_.scene;
   state->stamp_s = timeline_.last();
-  state->T_map_camera = last_pose_;
+  state->T_map_agent = last_pose_;
   rooms_->saveTo(*state);
   const bool has_layer = settings_.mapping_node.empty();
   return [this, name, when, has_layer, state = std::shared_ptr<const occusg::SessionState>(state),
@@ -109,7 +109,7 @@ void SceneGraphNode::load(const std::string& name) {
   auto loaded = std::make_unique<occusg::RoomPipeline>(config_);
   loaded->resumeFrom(session.state);
   rooms_ = std::move(loaded);
-  last_pose_ = session.state.T_map_camera;
+  last_pose_ = session.state.T_map_agent;
   last_maintenance_s_.reset();
   timeline_.goOnAfter(session.state.stamp_s, ros::Time::now().toSec());
   // Without a node that maps, what is there is the map of the session too.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "occusg/pipeline/parameter.hpp"
+#include "occusg/parameter.hpp"
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/parameters.hpp"
 #include "occusg_ros/pose_input.hpp"

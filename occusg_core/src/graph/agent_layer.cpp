@@ -25,25 +25,13 @@ void removeFromTrajectory(SceneGraph& graph, NodeId agent) {
     graph.connect({EdgeType::kTemporal, before.front(), after.front(), {}});
 }
 
-const AgentLayerConfig& checked(const AgentLayerConfig& config) {
-  if (!(config.recent_s > 0.0) || !(config.old_spacing_m > 0.0)) {
-    throw refuse("recent_s or old_spacing_m", "is not positive",
-                 "seconds and metres above 0 are needed");
-  }
-  if (config.max_agents < 2 || config.max_agents > static_cast<int>(kMaxGraphNodes / 2)) {
-    throw refuse("max_agents", "is " + std::to_string(config.max_agents),
-                 "it must be in [2, " + std::to_string(kMaxGraphNodes / 2) + "]");
-  }
-  return config;
-}
-
 }  // namespace
 
 AgentLayer::AgentLayer(const AgentLayerConfig& config) : config_(checked(config)) {}
 
-std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_camera,
+std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_agent,
                                           double stamp_s) {
-  if (!isFinite(T_map_camera) || !std::isfinite(stamp_s)) {
+  if (!isFinite(T_map_agent) || !std::isfinite(stamp_s)) {
     throw refuse("pose", "the pose or its stamp is not finite",
                  "metres in the map frame and seconds are expected");
   }
@@ -52,7 +40,7 @@ std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_c
     return std::nullopt;
   }
   last_stamp_s_ = stamp_s;
-  const Eigen::Vector3d position = T_map_camera.translation();
+  const Eigen::Vector3d position = T_map_agent.translation();
   if (!isWithinGraph(position)) {
     ++poses_out_of_reach_;
     return std::nullopt;
@@ -64,7 +52,7 @@ std::optional<NodeId> AgentLayer::observe(SceneGraph& graph, const Pose& T_map_c
         elapsed_s < config_.max_interval_s - kRounding)
       return std::nullopt;
   }
-  const NodeId agent = graph.add(position, stamp_s, AgentAttributes{T_map_camera}).id;
+  const NodeId agent = graph.add(position, stamp_s, AgentAttributes{T_map_agent}).id;
   if (last_agent_) graph.connect({EdgeType::kTemporal, last_agent_->agent, agent, {}});
   last_agent_ = Sample{agent, position, stamp_s};
   thin(graph, stamp_s);

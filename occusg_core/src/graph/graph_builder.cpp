@@ -15,7 +15,7 @@ constexpr double kPeriodRoundingS = 1e-6;
 }  // namespace
 
 GraphBuilder::GraphBuilder(const GraphBuilderConfig& config)
-    : config_(config),
+    : config_(checked(config)),
       agents_(config.agents),
       rooms_(config.rooms),
       objects_(config.objects),
@@ -24,19 +24,19 @@ GraphBuilder::GraphBuilder(const GraphBuilderConfig& config)
       completeness_(config.rooms.max_frontier_share),
       labeler_(config.room_labels) {}
 
-const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose& T_map_camera,
+const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose& T_map_agent,
                                        double stamp_s) {
-  return assemble(tracked, T_map_camera, stamp_s, nullptr);
+  return assemble(tracked, T_map_agent, stamp_s, nullptr);
 }
 
-const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose& T_map_camera,
+const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose& T_map_agent,
                                        double stamp_s, const MapView& map) {
-  return assemble(tracked, T_map_camera, stamp_s, &map);
+  return assemble(tracked, T_map_agent, stamp_s, &map);
 }
 
-const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Pose& T_map_camera,
+const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Pose& T_map_agent,
                                          double stamp_s, const MapView* map) {
-  observePose(T_map_camera, stamp_s);
+  observePose(T_map_agent, stamp_s);
   if (last_update_s_ && stamp_s < *last_update_s_) {
     ++updates_back_in_time_;
     return graph_;
@@ -46,7 +46,7 @@ const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Po
   const bool is_due =
       stamp_s - last_maintenance_s_ >= config_.maintenance_period_s - kPeriodRoundingS;
   if (is_due) last_maintenance_s_ = stamp_s;
-  const Point2 robot{T_map_camera.translation().x(), T_map_camera.translation().y()};
+  const Point2 robot{T_map_agent.translation().x(), T_map_agent.translation().y()};
   if (map != nullptr) {
     navigation_.update(graph_, *map->layer, map->changed, stamp_s);
     if (map->occupancy != nullptr)
@@ -60,9 +60,9 @@ const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Po
   return graph_;
 }
 
-void GraphBuilder::observePose(const Pose& T_map_camera, double stamp_s) {
+void GraphBuilder::observePose(const Pose& T_map_agent, double stamp_s) {
   if (std::isfinite(stamp_s)) graph_.setStamp(stamp_s);
-  agents_.observe(graph_, T_map_camera, stamp_s);
+  agents_.observe(graph_, T_map_agent, stamp_s);
 }
 
 void GraphBuilder::observeObjects(const std::vector<Detection>& detections, double stamp_s) {

@@ -16,19 +16,10 @@ namespace {
 
 using Part = NavigationBlock::Part;
 
-const NavigationLayerConfig& checked(const NavigationLayerConfig& config) {
-  if (config.block_cells < 2 || config.block_cells > 64) {
-    throw refuse("graph.navigation.block_cells", "it is " + std::to_string(config.block_cells),
-                 "a value in [2, 64] is needed");
-  }
-  if (config.min_free_cells < 1 || config.min_kept_cells < 0 ||
-      config.min_kept_cells > config.min_free_cells) {
-    throw refuse("graph.navigation",
-                 "min_free_cells is " + std::to_string(config.min_free_cells) +
-                     " and min_kept_cells " + std::to_string(config.min_kept_cells),
-                 "1 <= min_free_cells and 0 <= min_kept_cells <= min_free_cells is needed");
-  }
-  return config;
+const NavigationLayerConfig& usable(const NavigationLayerConfig& config) {
+  if (checked(config).min_kept_cells <= config.min_free_cells) return config;
+  throw refuse("graph.navigation.min_kept_cells", "is " + std::to_string(config.min_kept_cells),
+               "it must be at most min_free_cells = " + std::to_string(config.min_free_cells));
 }
 
 int floorDivided(int value, int divisor) {
@@ -61,7 +52,7 @@ class PartSets {
 }  // namespace
 
 NavigationLayer::NavigationLayer(const NavigationLayerConfig& config, double floor_z_m)
-    : config_(checked(config)), floor_z_m_(floor_z_m) {}
+    : config_(usable(config)), floor_z_m_(floor_z_m) {}
 
 CellNeighbours NavigationLayer::neighbours() const {
   return config_.nodes == NavigationNodes::kOnePerPart ? CellNeighbours::kSides

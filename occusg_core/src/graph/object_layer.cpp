@@ -125,7 +125,7 @@ std::string mostSeen(const std::map<std::string, double>& histogram) {
 
 }  // namespace
 
-ObjectLayer::ObjectLayer(const ObjectLayerConfig& config) : config_(config) {}
+ObjectLayer::ObjectLayer(const ObjectLayerConfig& config) : config_(checked(config)) {}
 
 ObjectLayerState ObjectLayer::state() const {
   return {apart_.pairs(), free_checks_, last_checked_};

@@ -34,6 +34,11 @@ bool isSame(const Crossing& a, const Crossing& b) {
   return pairOf(a) == pairOf(b) && a.segment.a == b.segment.a && a.segment.b == b.segment.b;
 }
 
+bool hasUsable(const std::vector<Region>& regions) {
+  return std::any_of(regions.begin(), regions.end(),
+                     [](const Region& region) { return isUsable(region); });
+}
+
 }  // namespace
 
 void RegionSnapshot::update(const TrackedRegions& tracked) {
@@ -41,7 +46,7 @@ void RegionSnapshot::update(const TrackedRegions& tracked) {
   changed_regions_.clear();
   changed_contacts_.clear();
   const std::vector<Region>& regions = tracked.decomposition.regions;
-  if (!tracked.stale && std::any_of(regions.begin(), regions.end(), isUsable)) {
+  if (!tracked.stale && hasUsable(regions)) {
     const bool follows = update_ > 0 && tracked.update == update_ + 1;
     const bool is_known = update_ > 0 && tracked.update == update_;
     if (follows) {

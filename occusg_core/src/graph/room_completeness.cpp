@@ -81,12 +81,9 @@ void RoomCompleteness::restore(const SceneGraph& graph) {
 void RoomCompleteness::update(SceneGraph& graph, const FreeSpace& layer, const CellBox& changed) {
   const GraphChanges changes = graph.changesSince(revision_);
   std::set<NodeId> rooms;
-  const auto isRoom = [](NodeId id) {
-    return id >= firstId(NodeType::kRoom) && id < firstId(NodeType::kDoor);
-  };
   for (const auto* list : {&changes.added_nodes, &changes.changed_nodes}) {
     for (const NodeId id : *list)
-      if (isRoom(id)) rooms.insert(id);
+      if (isRoomId(id)) rooms.insert(id);
   }
   for (const NodeId id : changes.removed_nodes) confirmed_.erase(id);
   if (!changes.complete)

@@ -15,8 +15,6 @@ bool isSamePlace(const RoomAttributes& a, const RoomAttributes& b) {
   return intersectionOverUnion(a.polygon, b.polygon) >= kSamePlace;
 }
 
-bool isRoom(NodeId id) { return id >= firstId(NodeType::kRoom) && id < firstId(NodeType::kDoor); }
-
 }  // namespace
 
 void RoomHistory::update(const SceneGraph& graph) {
@@ -28,10 +26,10 @@ void RoomHistory::update(const SceneGraph& graph) {
     for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) changes.changed_nodes.push_back(id);
   }
   for (const NodeId id : changes.removed_nodes)
-    if (isRoom(id)) noteRemoved(graph, id);
+    if (isRoomId(id)) noteRemoved(graph, id);
   for (const auto* list : {&changes.added_nodes, &changes.changed_nodes}) {
     for (const NodeId id : *list) {
-      if (!isRoom(id)) continue;
+      if (!isRoomId(id)) continue;
       const RoomAttributes& room = graph.room(id);
       const auto [item, is_new] = rooms_.try_emplace(id);
       item->second.room = room;

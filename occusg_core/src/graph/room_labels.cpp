@@ -19,8 +19,6 @@ bool isObject(NodeId id) {
   return id >= firstId(NodeType::kObject) && id < firstId(NodeType::kNavigation);
 }
 
-bool isRoom(NodeId id) { return id >= firstId(NodeType::kRoom) && id < firstId(NodeType::kDoor); }
-
 }  // namespace
 
 RoomLabelTable defaultRoomLabels() {
@@ -111,7 +109,7 @@ void RoomLabeler::update(SceneGraph& graph) {
     for (const NodeId id : changes.changed_nodes) {
       const auto room = isObject(id) ? graph.roomOf(id) : std::nullopt;
       if (room) rooms.insert(*room);
-      if (isRoom(id)) rooms.insert(id);  // a person may have taken a label back
+      if (isRoomId(id)) rooms.insert(id);  // a person may have taken a label back
     }
   } else {
     for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) rooms.insert(id);

@@ -16,7 +16,7 @@ constexpr double kStampRoundingS = 1e-6;
 }  // namespace
 
 RoomLayer::RoomLayer(const RoomLayerConfig& config)
-    : config_(config), assignment_(config.boundary_tolerance_m) {}
+    : config_(checked(config)), assignment_(config.boundary_tolerance_m) {}
 
 void RoomLayer::update(SceneGraph& graph, const TrackedRegions& tracked, const Point2& robot,
                        double stamp_s, Maintenance maintenance) {

@@ -55,7 +55,7 @@ const char* layerOf(NodeType type) {
 json orientationOf(const Node& node) {
   const auto* agent = std::get_if<AgentAttributes>(&node.attributes);
   const Eigen::Quaterniond q =
-      agent == nullptr ? Eigen::Quaterniond::Identity() : canonicalRotation(agent->T_map_camera);
+      agent == nullptr ? Eigen::Quaterniond::Identity() : canonicalRotation(agent->T_map_agent);
   return {{"x", q.x()}, {"y", q.y()}, {"z", q.z()}, {"w", q.w()}};
 }
 

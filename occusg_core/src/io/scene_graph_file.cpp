@@ -29,7 +29,7 @@ json holesOf(const Polygon& polygon) {
 /// The members a node has by its type.
 struct AttributeMembers {
   json operator()(const AgentAttributes& agent) const {
-    const Eigen::Quaterniond q = canonicalRotation(agent.T_map_camera);
+    const Eigen::Quaterniond q = canonicalRotation(agent.T_map_agent);
     return {{"orientation", json::array({q.x(), q.y(), q.z(), q.w()})}};
   }
   json operator()(const ObjectAttributes& object) const {

@@ -93,8 +93,8 @@ AgentAttributes agentOf(const Members& members, const Eigen::Vector3d& position)
                  "a unit quaternion [x, y, z, w] is needed");
   }
   AgentAttributes agent;
-  agent.T_map_camera.linear() = rotation.normalized().toRotationMatrix();
-  agent.T_map_camera.translation() = position;
+  agent.T_map_agent.linear() = rotation.normalized().toRotationMatrix();
+  agent.T_map_agent.translation() = position;
   return agent;
 }
 

@@ -236,7 +236,7 @@ std::string toSessionJson(const SessionState& state, const std::map<std::string,
                        {"scene", state.scene},
                        {"files", filesOf(files)},
                        {"stamp_s", stampOf(state.stamp_s)},
-                       {"pose", poseOf(state.T_map_camera)},
+                       {"pose", poseOf(state.T_map_agent)},
                        {"last_room_update_s", optionalStampOf(state.last_room_update_s)},
                        {"last_graph_update_s", optionalStampOf(state.graph.last_update_s)},
                        {"last_maintenance_s", stampOf(state.graph.last_maintenance_s)},
@@ -258,7 +258,7 @@ SessionJson parseSessionJson(const std::string& text, const std::string& where) 
   SessionState& state = session.state;
   state.scene = stringOf(member(document, "scene", where), where + ": scene");
   state.stamp_s = numberOf(member(document, "stamp_s", where), where + ": stamp_s");
-  state.T_map_camera = poseIn(member(document, "pose", where), where + ": pose");
+  state.T_map_agent = poseIn(member(document, "pose", where), where + ": pose");
   state.last_room_update_s = optionalStamp(document, "last_room_update_s", where);
   state.graph.last_update_s = optionalStamp(document, "last_graph_update_s", where);
   state.graph.last_maintenance_s =

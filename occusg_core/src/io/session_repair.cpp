@@ -121,11 +121,11 @@ std::optional<OccupancyMap> mapIn(const std::filesystem::path& file, const FileM
 }
 
 void repairPose(SessionState& state, Repairs& repairs) {
-  if (isWithinGraph(state.T_map_camera.translation())) return;
+  if (isWithinGraph(state.T_map_agent.translation())) return;
   const auto& agents = state.graph.graph.nodes(NodeType::kAgent);
-  state.T_map_camera =
+  state.T_map_agent =
       agents.empty() ? Pose::Identity()
-                     : std::get<AgentAttributes>(agents.rbegin()->second.attributes).T_map_camera;
+                     : std::get<AgentAttributes>(agents.rbegin()->second.attributes).T_map_agent;
   repairs.emplace_back("the last pose was farther than 1e6 m from the origin");
 }
 

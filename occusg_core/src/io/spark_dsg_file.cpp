@@ -115,7 +115,7 @@ class AttributeMembers {
   json operator()(const AgentAttributes& agent) const {
     return {{"type", "AgentNodeAttributes"},
             {"timestamp", nanoseconds(node_.created_s)},
-            {"world_R_body", rotation(canonicalRotation(agent.T_map_camera))},
+            {"world_R_body", rotation(canonicalRotation(agent.T_map_agent))},
             {"external_key", 0},
             {"dbow_ids", nullptr},
             {"dbow_values", nullptr}};

@@ -44,19 +44,9 @@ void check(const FreeSpaceLayerConfig& config, const GridFrame& frame) {
     throw refuse("resolution_m", "is " + std::to_string(frame.resolution_m) + " m",
                  "it must be finite and positive");
   }
-  if (!(config.min_free_gap_m > 0.0 && config.min_free_gap_m <= 100.0)) {
-    throw refuse("min_free_gap_m", "is " + std::to_string(config.min_free_gap_m) + " m",
-                 "it must be in (0, 100]");
-  }
-  if (config.min_obstacle_level < 0 || config.min_obstacle_level > kFullObstacle) {
-    throw refuse("min_obstacle_level", "is " + std::to_string(config.min_obstacle_level),
-                 "it must be in [0, 100]");
-  }
-  if (std::isnan(config.lowest_z_m))
-    throw refuse("lowest_z_m", "is not a number", "it must be a height in metres or -.inf");
+  (void)checked(config);
   const VoxelRun heights = heightsBetween(config, frame.resolution_m);
-  if (std::isnan(config.highest_z_m) ||
-      heights.length() < voxelsFor(config.min_free_gap_m, frame.resolution_m)) {
+  if (heights.length() < voxelsFor(config.min_free_gap_m, frame.resolution_m)) {
     throw refuse("highest_z_m", "is " + std::to_string(config.highest_z_m) + " m",
                  "it must leave min_free_gap_m = " + std::to_string(config.min_free_gap_m) +
                      " m of whole voxels above lowest_z_m = " + std::to_string(config.lowest_z_m));
@@ -72,7 +62,7 @@ int floorReach_tiles(double resolution_m) {
   return static_cast<int>(std::clamp<double>(tiles, 1, kFarthest_tiles));
 }
 
-const FreeSpaceLayerConfig& checked(const FreeSpaceLayerConfig& config, const GridFrame& frame) {
+const FreeSpaceLayerConfig& usable(const FreeSpaceLayerConfig& config, const GridFrame& frame) {
   check(config, frame);
   return config;
 }
@@ -113,7 +103,7 @@ struct FreeSpaceLayer::Reading {
 };
 
 FreeSpaceLayer::FreeSpaceLayer(const FreeSpaceLayerConfig& config, const GridFrame& frame)
-    : config_(checked(config, frame)),
+    : config_(usable(config, frame)),
       needed_voxels_(voxelsFor(config.min_free_gap_m, frame.resolution_m)),
       heights_(heightsBetween(config, frame.resolution_m)),
       floors_(evidenceHeights(config.evidence, frame.resolution_m).ceiling,

@@ -17,29 +17,13 @@
 namespace occusg {
 namespace {
 
-constexpr double kMaxMemory_mb = 1e9;
-
-enum class Limits { kInside, kOutside };  ///< Whether the limits themselves are allowed.
-
-void checkRange(const char* field, double value, double low, double high, Limits limits) {
-  const bool inclusive = limits == Limits::kInside;
-  if (inclusive ? value >= low && value <= high : value > low && value < high) return;
-  throw refuse(field, "is " + std::to_string(value),
-               std::string("it must be in ") + (inclusive ? "[" : "(") + std::to_string(low) +
-                   ", " + std::to_string(high) + (inclusive ? "]" : ")"));
-}
-
-const OccupancyMapConfig& checked(const OccupancyMapConfig& config) {
-  checkRange("resolution_m", config.resolution_m, 0.001, 10.0, Limits::kInside);
-  checkRange("max_range_m", config.max_range_m, config.resolution_m,
-             kMaxRangeVoxels * config.resolution_m, Limits::kInside);
-  checkRange("hit_probability", config.hit_probability, 0.5, 1.0, Limits::kOutside);
-  checkRange("miss_probability", config.miss_probability, 0.0, 0.5, Limits::kOutside);
-  checkRange("min_probability", config.min_probability, 0.0, 0.5, Limits::kOutside);
-  checkRange("max_probability", config.max_probability, 0.5, 1.0, Limits::kOutside);
-  checkRange("threads", config.threads, 1, kMaxThreads, Limits::kInside);
-  checkRange("max_memory_mb", config.max_memory_mb, 0.0, kMaxMemory_mb, Limits::kOutside);
-  return config;
+const OccupancyMapConfig& usable(const OccupancyMapConfig& config) {
+  const double longest_m = kMaxRangeVoxels * config.resolution_m;
+  if (checked(config).max_range_m >= config.resolution_m && config.max_range_m <= longest_m)
+    return config;
+  throw refuse("mapping.occupancy.max_range_m", "is " + shortestText(config.max_range_m),
+               "it must be at least a voxel, " + shortestText(config.resolution_m) +
+                   " m, and at most " + shortestText(longest_m) + " m");
 }
 
 constexpr double kMebibyte = 1048576.0;
@@ -80,7 +64,7 @@ bool insideMap(const octomap::OcTree& tree, const octomap::point3d& point) {
 }  // namespace
 
 OccupancyMap::OccupancyMap(const OccupancyMapConfig& config)
-    : config_(checked(config)),
+    : config_(usable(config)),
       tree_(std::make_unique<VoxelTree>(config.resolution_m)),
       frame_(std::make_unique<FrameVoxels>()),
       rays_(std::make_unique<FrameRays>()),

@@ -24,24 +24,10 @@ std::string size(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-void check(const DepthProjectorConfig& config) {
-  if (config.stride < 1 || config.stride > kMaxImageSide) {
-    throw refuse("stride", "is " + std::to_string(config.stride) + " pixels",
-                 "it must be in [1, " + std::to_string(kMaxImageSide) + "]");
-  }
-  if (!std::isfinite(config.min_depth_m) || config.min_depth_m < 0.0) {
-    throw refuse("min_depth_m", "is " + std::to_string(config.min_depth_m) + " m",
-                 "it must be finite and at least 0");
-  }
-  if (!std::isfinite(config.max_depth_m) || config.max_depth_m <= config.min_depth_m) {
-    throw refuse("max_depth_m", "is " + std::to_string(config.max_depth_m) + " m",
-                 "it must be finite and above min_depth_m = " + std::to_string(config.min_depth_m));
-  }
-  if (!(config.max_plausible_depth_m > 0.0)) {
-    throw refuse("max_plausible_depth_m",
-                 "is " + std::to_string(config.max_plausible_depth_m) + " m",
-                 "it must be positive");
-  }
+const DepthProjectorConfig& usable(const DepthProjectorConfig& config) {
+  if (checked(config).min_depth_m < config.max_depth_m) return config;
+  throw refuse("perception.depth.max_depth_m", "is " + shortestText(config.max_depth_m) + " m",
+               "it must be above min_depth_m = " + shortestText(config.min_depth_m));
 }
 
 void check(const DepthImage& image, const CameraModel& camera) {
@@ -169,7 +155,7 @@ class Lattice {
 }  // namespace
 
 DepthProjector::DepthProjector(const DepthProjectorConfig& config) : config_(config) {
-  check(config_);
+  (void)usable(config_);
 }
 
 PointCloud DepthProjector::project(const DepthImage& image, const CameraModel& camera,

@@ -30,26 +30,6 @@ std::string sizeText(const cv::Size& size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-void check(const DetectionBuilderConfig& config) {
-  if (!(config.cluster_eps_m >= 0.005 && config.cluster_eps_m <= 10.0)) {
-    throw refuse("cluster_eps_m", "is " + std::to_string(config.cluster_eps_m) + " m",
-                 "it must be in [0.005, 10]");
-  }
-  if (!(config.cluster_gap_pixels >= 0.0 && config.cluster_gap_pixels <= 100.0)) {
-    throw refuse("cluster_gap_pixels", "is " + std::to_string(config.cluster_gap_pixels),
-                 "it must be in [0, 100]");
-  }
-  const auto atLeastOne = [](const char* field, int value) {
-    if (value < 1) throw refuse(field, "is " + std::to_string(value), "it must be at least 1");
-  };
-  atLeastOne("min_cluster_points", config.min_cluster_points);
-  atLeastOne("max_masks", config.max_masks);
-  if (!(config.max_depth_m > kMinDepth_m && config.max_depth_m <= kMaxRange_m)) {
-    throw refuse("max_depth_m", "is " + std::to_string(config.max_depth_m) + " m",
-                 "it must be in (0.001, 10000]");
-  }
-}
-
 void check(const DepthFrame& frame) {
   check(frame.camera, "camera");
   const cv::Mat& pixels = frame.depth.pixels;
@@ -255,7 +235,7 @@ bool isSameView(const cv::Size& image, const cv::Size& depth) {
 }
 
 DetectionBuilder::DetectionBuilder(const DetectionBuilderConfig& config) : config_(config) {
-  check(config_);
+  (void)checked(config_);
 }
 
 DetectionResult DetectionBuilder::build(const InstanceMasks& masks, const DepthFrame& frame) const {

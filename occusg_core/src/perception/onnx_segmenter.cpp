@@ -43,16 +43,7 @@ class SilencedOpenCv {
 void check(const OnnxSegmenterConfig& config) {
   if (config.class_names.empty())
     throw refuse("class_names", "is empty", "the names of the model's classes are needed");
-  if (config.input_side < kMinInputSide || config.input_side > kMaxInputSide) {
-    throw refuse("input_side", "is " + std::to_string(config.input_side) + " pixels",
-                 "it must be in [32, 4096]");
-  }
-  if (!(config.min_confidence > 0.0 && config.min_confidence <= 1.0)) {
-    throw refuse("min_confidence", "is " + std::to_string(config.min_confidence),
-                 "it must be in (0, 1]");
-  }
-  if (!(config.max_iou >= 0.0 && config.max_iou <= 1.0))
-    throw refuse("max_iou", "is " + std::to_string(config.max_iou), "it must be in [0, 1]");
+  (void)checked(config);
 }
 
 std::string readModel(const std::string& path) {

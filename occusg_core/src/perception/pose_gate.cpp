@@ -13,12 +13,7 @@ constexpr double kCorrection_m = 1.0;
 
 }  // namespace
 
-PoseGate::PoseGate(const PoseGateConfig& config) : config_(config) {
-  if (!(config.max_speed_m_s > 0.0)) {
-    throw refuse("max_speed_m_s", "is " + std::to_string(config.max_speed_m_s) + " m/s",
-                 "it must be positive");
-  }
-}
+PoseGate::PoseGate(const PoseGateConfig& config) : config_(checked(config)) {}
 
 bool PoseGate::believes(const Pose& T_map_camera, double stamp_s) {
   const Seen now{T_map_camera.translation(), stamp_s};

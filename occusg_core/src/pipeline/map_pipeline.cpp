@@ -8,7 +8,7 @@
 namespace occusg {
 namespace {
 
-const PipelineConfig& checked(const PipelineConfig& config) {
+const PipelineConfig& usable(const PipelineConfig& config) {
   check(config);
   return config;
 }
@@ -26,7 +26,7 @@ void add(PixelDrops& sum, const PixelDrops& drops) {
 }  // namespace
 
 MapPipeline::MapPipeline(const PipelineConfig& config)
-    : projector_(checked(config).depth),
+    : projector_(usable(config).depth),
       gate_(config.poses),
       occupancy_(config.occupancy),
       free_space_(config.free_space, GridFrame{config.occupancy.resolution_m}) {}
@@ -37,43 +37,49 @@ const FreeSpace& MapPipeline::startFrom(OccupancyMap map) {
   return layer;
 }
 
-const FreeSpace& MapPipeline::process(const DepthFrame& frame) {
+FrameReport MapPipeline::process(const DepthFrame& frame) {
   const RangeImage& image = timed(times_, Stage::kPointCloud, [&]() -> const RangeImage& {
     return projector_.projectLattice(frame.depth, frame.camera, frame.T_map_camera);
   });
   times_.setMemory(Stage::kPointCloud,
                    image.ends.capacity() * sizeof(Point3f) + image.kinds.capacity());
-  const MapChange change =
-      timed(times_, Stage::kOccupancy, [&] { return insert(image, frame.stamp_s); });
-  const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
-    return free_space_.update(occupancy_, change);
-  });
-
-  ++counts_.frames;
-  counts_.points += image.hits;
-  counts_.points_outside_map += change.points_outside_map;
-  counts_.frames_outside_map += change.origin_outside_map ? 1 : 0;
-  counts_.frames_without_depth += change.no_rays ? 1 : 0;
-  counts_.frames_from_occupied += change.origin_occupied ? 1 : 0;
-  counts_.frames_without_memory += change.memory_exhausted ? 1 : 0;
-  add(counts_.pixel_drops, image.drops);
-  return layer;
+  MapChange change;
+  FrameReport report;
+  report.verdict =
+      timed(times_, Stage::kOccupancy, [&] { return insert(image, frame.stamp_s, change); });
+  report.changed = timed(times_, Stage::kFreeSpace,
+                         [&] { return free_space_.update(occupancy_, change).changed; });
+  report.changed_columns = change.columns.size();
+  report.points = image.hits;
+  report.points_outside_map = change.points_outside_map;
+  report.pixel_drops = image.drops;
+  count(report);
+  return report;
 }
 
-MapChange MapPipeline::insert(const RangeImage& image, double stamp_s) {
-  last_pose_is_usable_ = false;
-  if (!gate_.believes(image.T_map_camera, stamp_s)) {
-    ++counts_.frames_too_fast;
-    return {};
-  }
-  if (!staysInSpan(image.origin)) {
-    ++counts_.frames_beyond_span;
-    return {};
-  }
-  MapChange change = occupancy_.insert(image);
-  last_pose_is_usable_ = !change.origin_outside_map;
-  if (last_pose_is_usable_) gate_.used();
-  return change;
+void MapPipeline::count(const FrameReport& report) {
+  ++counts_.frames;
+  counts_.points += report.points;
+  counts_.points_outside_map += report.points_outside_map;
+  const auto one = [&report](FrameVerdict verdict) { return report.verdict == verdict ? 1U : 0U; };
+  counts_.frames_outside_map += one(FrameVerdict::kOutsideMap);
+  counts_.frames_without_depth += one(FrameVerdict::kWithoutDepth);
+  counts_.frames_from_occupied += one(FrameVerdict::kFromOccupied);
+  counts_.frames_without_memory += one(FrameVerdict::kMapIsFull);
+  counts_.frames_too_fast += one(FrameVerdict::kTooFast);
+  counts_.frames_beyond_span += one(FrameVerdict::kBeyondSpan);
+  add(counts_.pixel_drops, report.pixel_drops);
+}
+
+FrameVerdict MapPipeline::insert(const RangeImage& image, double stamp_s, MapChange& change) {
+  if (!gate_.believes(image.T_map_camera, stamp_s)) return FrameVerdict::kTooFast;
+  if (!staysInSpan(image.origin)) return FrameVerdict::kBeyondSpan;
+  change = occupancy_.insert(image);
+  if (change.origin_outside_map) return FrameVerdict::kOutsideMap;
+  gate_.used();
+  if (change.memory_exhausted) return FrameVerdict::kMapIsFull;
+  if (change.origin_occupied) return FrameVerdict::kFromOccupied;
+  return change.no_rays ? FrameVerdict::kWithoutDepth : FrameVerdict::kUsed;
 }
 
 /// Whether the layer can hold all that a frame from there can reach. A place outside the map is for

@@ -22,8 +22,11 @@ void add(RefusedMasks& sum, const RefusedMasks& refused) {
 
 }  // namespace
 
-Pipeline::Pipeline(const PipelineConfig& config)
-    : config_(config), detection_builder_(config.detection), map_(config), rooms_(config) {}
+Pipeline::Pipeline(const PipelineConfig& config, std::unique_ptr<Decomposer> decomposer)
+    : config_(config),
+      detection_builder_(config.detection),
+      map_(config),
+      rooms_(config, std::move(decomposer)) {}
 
 void Pipeline::startFrom(OccupancyMap map) {
   if (last_stamp_s_)
@@ -36,7 +39,7 @@ void Pipeline::resume(Session session) {
   startFrom(std::move(*session.map));
   rooms_.resumeFrom(session.state);
   last_stamp_s_ = session.state.stamp_s;
-  last_pose_ = session.state.T_map_camera;
+  last_pose_ = session.state.T_map_agent;
 }
 
 SessionState Pipeline::sessionState(const std::string& scene) const {
@@ -44,19 +47,19 @@ SessionState Pipeline::sessionState(const std::string& scene) const {
   SessionState state;
   state.scene = scene;
   state.stamp_s = *last_stamp_s_;
-  state.T_map_camera = last_pose_;
+  state.T_map_agent = last_pose_;
   rooms_.saveTo(state);
   return state;
 }
 
-void Pipeline::process(const DepthFrame& frame) {
+FrameReport Pipeline::process(const DepthFrame& frame) {
   checkStamp(frame);
-  takeIn(frame, {});
+  return takeIn(frame, {});
 }
 
-void Pipeline::process(const DepthFrame& frame, const InstanceMasks& masks) {
+FrameReport Pipeline::process(const DepthFrame& frame, const InstanceMasks& masks) {
   checkStamp(frame);
-  takeIn(frame, detection_builder_.build(masks, frame));
+  return takeIn(frame, detection_builder_.build(masks, frame));
 }
 
 void Pipeline::checkStamp(const DepthFrame& frame) const {
@@ -70,21 +73,24 @@ void Pipeline::checkStamp(const DepthFrame& frame) const {
   }
 }
 
-void Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& objects) {
-  timed(totals_, Stage::kTotal, [&] {
-    changed_since_rooms_ = changed_since_rooms_.including(map_.process(frame).changed);
-    if (!map_.lastPoseIsUsable()) return false;
+FrameReport Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& objects) {
+  const FrameReport report = timed(totals_, Stage::kTotal, [&] {
+    FrameReport taken = map_.process(frame);
+    changed_since_rooms_ = changed_since_rooms_.including(taken.changed);
+    if (!taken.hasUsablePose()) return taken;
     last_stamp_s_ = frame.stamp_s;
     last_pose_ = frame.T_map_camera;
     rooms_.observeObjects(objects.detections, frame.stamp_s);
     if (roomsAreDue(frame.stamp_s)) {
       updateRooms(frame.T_map_camera, frame.stamp_s);
+      taken.rooms_updated = true;
     } else {
       rooms_.observePose(frame.T_map_camera, frame.stamp_s);
     }
-    return true;
+    return taken;
   });
   add(refused_masks_, objects.refused);
+  return report;
 }
 
 MapView Pipeline::mapView(const CellBox& changed) const {

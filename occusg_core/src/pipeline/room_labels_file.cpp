@@ -9,7 +9,7 @@
 #include "occusg/error.hpp"
 #include "occusg/graph/class_key.hpp"
 #include "occusg/io/file_bytes.hpp"
-#include "occusg/pipeline/parameter.hpp"
+#include "occusg/parameter.hpp"
 
 namespace occusg {
 namespace {

@@ -2,19 +2,21 @@
 #include "occusg/pipeline/room_pipeline.hpp"
 
 #include <cstdint>
+#include <utility>
 
 namespace occusg {
 namespace {
 
-const PipelineConfig& checkedForRooms(const PipelineConfig& config) {
+std::unique_ptr<Decomposer> givenOrConfigured(std::unique_ptr<Decomposer> given,
+                                              const PipelineConfig& config) {
   check(config);
-  return config;
+  return given ? std::move(given) : makeDecomposer(config);
 }
 
 }  // namespace
 
-RoomPipeline::RoomPipeline(const PipelineConfig& config)
-    : decomposer_(makeDecomposer(checkedForRooms(config))),
+RoomPipeline::RoomPipeline(const PipelineConfig& config, std::unique_ptr<Decomposer> decomposer)
+    : decomposer_(givenOrConfigured(std::move(decomposer), config)),
       tracker_(config.tracker),
       graph_(config.graph) {}
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/regions/acceptance_guard.hpp"
 
-#include "regions/parameter_check.hpp"
-
 namespace occusg {
 namespace {
 
@@ -14,11 +12,7 @@ bool dropped(double now, double before, double max_drop) {
 
 }  // namespace
 
-AcceptanceGuard::AcceptanceGuard(const AcceptanceGuardConfig& config) : config_(config) {
-  requireRange("regions.guard.max_area_drop", config.max_area_drop, 0.0, 1.0);
-  requireRange("regions.guard.max_count_drop", config.max_count_drop, 0.0, 1.0);
-  requireRange("regions.guard.max_rejections_in_a_row", config.max_rejections_in_a_row, 0, 1000000);
-}
+AcceptanceGuard::AcceptanceGuard(const AcceptanceGuardConfig& config) : config_(checked(config)) {}
 
 bool AcceptanceGuard::accept(const Decomposition& decomposition) {
   double area_m2 = 0.0;

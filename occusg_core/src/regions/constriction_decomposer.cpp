@@ -10,7 +10,6 @@
 #include "regions/basins.hpp"
 #include "regions/clearance.hpp"
 #include "regions/lintels.hpp"
-#include "regions/parameter_check.hpp"
 #include "regions/passages.hpp"
 #include "regions/straight_cuts.hpp"
 
@@ -90,17 +89,7 @@ Grid<std::int32_t> labelsOf(const FreeSpace& layer, const ConstrictionDecomposer
 }  // namespace
 
 ConstrictionDecomposer::ConstrictionDecomposer(const ConstrictionDecomposerConfig& config)
-    : config_(config) {
-  const std::string where = "regions.constriction.";
-  requireRange(where + "widest_door_m", config.widest_door_m, 0.1, 100.0);
-  requireRange(where + "shallowest_basin_ratio", config.shallowest_basin_ratio, 0.01, 1.0);
-  requireRange(where + "door_widening", config.door_widening, 1.0, 100.0);
-  requireRange(where + "door_reach_m", config.door_reach_m, 0.0, 100.0);
-  requireRange(where + "highest_lintel_m", config.highest_lintel_m, 0.0, 10.0);
-  requireRange(where + "min_region_area_m2", config.min_region_area_m2, 0.0, 1e6);
-  requireRange(where + "min_crossing_m", config.min_crossing_m, 0.0, 100.0);
-  requireRange(where + "max_filled_obstacle_m2", config.max_filled_obstacle_m2, 0.0, 1e6);
-}
+    : config_(checked(config)) {}
 
 const Decomposition& ConstrictionDecomposer::update(const FreeSpace& layer,
                                                     const CellBox& /*changed*/) {

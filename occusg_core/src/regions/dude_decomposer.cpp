@@ -19,26 +19,6 @@ constexpr double kCutReach_m = 0.5;
 /// How often the dirty regions may be found to need another before everything is recomputed.
 constexpr int kMaxWidenings = 8;
 
-void require(bool is_right, const char* key, double value, const char* right) {
-  if (!is_right) throw refuse(key, "is " + std::to_string(value), right);
-}
-
-void check(const DudeDecomposerConfig& config) {
-  const auto isPositive = [](double value) { return std::isfinite(value) && value > 0.0; };
-  const auto isNotNegative = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  require(isNotNegative(config.depth_threshold_m), "depth_threshold_m", config.depth_threshold_m,
-          "must be at least 0 m");
-  require(isPositive(config.max_width_ratio), "max_width_ratio", config.max_width_ratio,
-          "must be above 0");
-  require(isPositive(config.longest_cut_m), "longest_cut_m", config.longest_cut_m,
-          "must be above 0 m");
-  require(isNotNegative(config.min_region_area_m2), "min_region_area_m2", config.min_region_area_m2,
-          "must be at least 0 m2");
-  require(isNotNegative(config.max_ignored_hole_m), "max_ignored_hole_m", config.max_ignored_hole_m,
-          "must be at least 0 m");
-  require(isNotNegative(config.keep_bonus), "keep_bonus", config.keep_bonus, "must be at least 0");
-}
-
 bool holds(const std::vector<std::int32_t>& sorted, std::int32_t label) {
   return std::binary_search(sorted.begin(), sorted.end(), label);
 }
@@ -83,9 +63,7 @@ DudeDecomposerConfig publishedDudeConfig() {
   return config;
 }
 
-DudeDecomposer::DudeDecomposer(const DudeDecomposerConfig& config) : config_(config) {
-  check(config);
-}
+DudeDecomposer::DudeDecomposer(const DudeDecomposerConfig& config) : config_(checked(config)) {}
 
 void DudeDecomposer::reset() {
   counters_ = {};

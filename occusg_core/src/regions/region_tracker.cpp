@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "occusg/geometry/polygon_overlap.hpp"
-#include "regions/parameter_check.hpp"
 
 namespace occusg {
 namespace {
@@ -74,16 +73,7 @@ Decomposition renamed(const Decomposition& decomposition, const std::vector<int>
 }  // namespace
 
 RegionTracker::RegionTracker(const RegionTrackerConfig& config)
-    : config_(config), guard_(config.guard) {
-  constexpr double kAny = std::numeric_limits<double>::max();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  requireRange("regions.tracker.min_overlap", config.min_overlap, 0.0, 1.0);
-  requireRange("regions.tracker.max_centroid_distance_m", config.max_centroid_distance_m, 0.0,
-               kInfinity);
-  requireRange("regions.tracker.min_area_ratio", config.min_area_ratio, 0.0, 1.0);
-  requireRange("regions.tracker.max_area_ratio", config.max_area_ratio, 1.0, kAny);
-  requireRange("regions.tracker.max_missed_updates", config.max_missed_updates, 0, 1000000);
-}
+    : config_(checked(config)), guard_(config.guard) {}
 
 const TrackedRegions& RegionTracker::update(const Decomposition& decomposition) {
   tracked_.stale = !guard_.accept(decomposition);

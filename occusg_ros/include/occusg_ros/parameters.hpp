@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "occusg/parameter.hpp"
 #include "occusg/pipeline/config.hpp"
-#include "occusg/pipeline/parameter.hpp"
 
 namespace occusg_ros {
 

@@ -16,7 +16,7 @@ namespace {
 
 using testing::poseAt;
 
-TEST(AgentLayer, Row17TenMetresMakeTwentyOneAgentsAndThirtySecondsThreeMore) {
+TEST(AgentLayer, TenMetresMakeTwentyOneAgentsAndThirtySecondsThreeMore) {
   SceneGraph graph;
   AgentLayer layer(AgentLayerConfig{});
   double stamp_s = 100.0;

@@ -29,7 +29,7 @@ std::optional<int> held(const RegionSnapshot& snapshot, const Point2& point,
   return regionAt(snapshot, point, kToleranceM, previous);
 }
 
-TEST(RegionAt, Row20HalfAMetreOutsideIsTheLimit) {
+TEST(RegionAt, HalfAMetreOutsideIsTheLimit) {
   const RegionSnapshot snapshot = snapshotOf({squareAt(1, 0.0)});
   EXPECT_EQ(held(snapshot, {2.0, 2.0}), 1);
   EXPECT_EQ(held(snapshot, {4.49, 2.0}), 1);
@@ -39,7 +39,7 @@ TEST(RegionAt, Row20HalfAMetreOutsideIsTheLimit) {
   EXPECT_FALSE(held(snapshot, {4.4, 4.4}));
 }
 
-TEST(RegionAt, Row20TiesAreDecidedTheSameWayInAnyOrder) {
+TEST(RegionAt, TiesAreDecidedTheSameWayInAnyOrder) {
   const Point2 halfway{4.2, 2.0};
   EXPECT_EQ(held(snapshotOf({squareAt(1, 0.0), squareAt(2, 4.4)}), halfway), 1);
   EXPECT_EQ(held(snapshotOf({squareAt(2, 4.4), squareAt(1, 0.0)}), halfway), 1);

@@ -70,7 +70,7 @@ std::size_t edgesOverClosedCells(const PaintedFloor& floor) {
 
 NavigationLayerConfig paper() { return {15, 25, 0, NavigationNodes::kOnePerBlock}; }
 
-TEST(NavigationLayer, Row19ABlockNeedsTwentyFiveFreeCells) {
+TEST(NavigationLayer, ABlockNeedsTwentyFiveFreeCells) {
   PaintedFloor floor(paper());
   floor.paint(0, 0, 4, 6);  // 24 cells
   floor.update();
@@ -82,7 +82,7 @@ TEST(NavigationLayer, Row19ABlockNeedsTwentyFiveFreeCells) {
   EXPECT_NEAR(floor.graph().at(floor.nodes()[0]).position.x(), 0.375, 1e-12);
 }
 
-TEST(NavigationLayer, Row19BlocksAreAlignedToWorldZeroAndEightConnected) {
+TEST(NavigationLayer, BlocksAreAlignedToWorldZeroAndEightConnected) {
   PaintedFloor floor(paper());
   floor.paint(-30, -15, 30, 15);  // 4 x 2 blocks
   floor.update();
@@ -95,7 +95,7 @@ TEST(NavigationLayer, Row19BlocksAreAlignedToWorldZeroAndEightConnected) {
   EXPECT_EQ(blocks.count({1, 0}), 1U);
 }
 
-TEST(NavigationLayer, Row19DiagonalBlocksAreJoinedOnlyThroughFreeCellsOfTheirOwn) {
+TEST(NavigationLayer, DiagonalBlocksAreJoinedOnlyThroughFreeCellsOfTheirOwn) {
   PaintedFloor floor(paper());
   floor.paint(5, 5, 15, 15);
   floor.paint(15, 15, 25, 25);  // touches the first in a corner

@@ -47,14 +47,14 @@ const ObjectAttributes& onlyObject(const SceneGraph& graph) {
   return std::get<ObjectAttributes>(graph.nodes(NodeType::kObject).begin()->second.attributes);
 }
 
-TEST(ObjectLayer, Row18SameClassWithinThreeQuartersOfAMetreMerges) {
+TEST(ObjectLayer, SameClassWithinThreeQuartersOfAMetreMerges) {
   EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("chair", 0.74)}), 1U);
   EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("chair", 0.76)}), 2U);
   EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen(" Chair", 0.5)}), 1U);
   EXPECT_EQ(objectsAfter(paper(), {seen("chair", 0.0), seen("table", 0.5)}), 2U);
 }
 
-TEST(ObjectLayer, Row18UnlabelledObjectsStayDistinct) {
+TEST(ObjectLayer, UnlabelledObjectsStayDistinct) {
   EXPECT_EQ(objectsAfter(paper(), {seen("", 0.0), seen("", 0.3)}), 2U);
   EXPECT_EQ(objectsAfter({}, {seen("", 0.0), seen("", 0.3)}), 2U);
 }

@@ -47,7 +47,7 @@ class RoomAdjacency : public ::testing::Test {
   const Crossing wide12_{1, 2, {{4.0, 2.8}, {4.0, 4.0}}};
 };
 
-TEST_F(RoomAdjacency, Row21CrossingAndTraversableEdgeMakeOneUndirectedEdge) {
+TEST_F(RoomAdjacency, CrossingAndTraversableEdgeMakeOneUndirectedEdge) {
   const NodeId left = blockAt(3.5);
   const NodeId right = blockAt(4.5);
   graph_.connect({EdgeType::kTraversable, right, left, {}});
@@ -57,14 +57,14 @@ TEST_F(RoomAdjacency, Row21CrossingAndTraversableEdgeMakeOneUndirectedEdge) {
   EXPECT_EQ(edge(2, 1), edge(1, 2));
 }
 
-TEST_F(RoomAdjacency, Row21CrossingBehindAWallIsNoPassage) {
+TEST_F(RoomAdjacency, CrossingBehindAWallIsNoPassage) {
   blockAt(3.5);
   blockAt(4.5);
   maintain({door12_});
   EXPECT_EQ(edgeCount(), 0U);
 }
 
-TEST_F(RoomAdjacency, Row21TraversableEdgeWithoutACrossingIsNoAdjacency) {
+TEST_F(RoomAdjacency, TraversableEdgeWithoutACrossingIsNoAdjacency) {
   graph_.connect({EdgeType::kTraversable, blockAt(3.5), blockAt(4.5), {}});
   maintain({});
   EXPECT_EQ(edgeCount(), 0U);

@@ -54,7 +54,7 @@ class Rooms {
 
 constexpr NodeId kFirst = firstId(NodeType::kRoom);
 
-TEST(RoomLayer, Row12TheFirstRoomIsTheRegionOfTheFirstPose) {
+TEST(RoomLayer, TheFirstRoomIsTheRegionOfTheFirstPose) {
   Rooms rooms(paperGraph());
   const Region l_shape = regionFrom(5, {{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}, {}});
   rooms.objectAt(1.0, 5.0);
@@ -76,7 +76,7 @@ TEST(RoomLayer, Row12TheFirstRoomIsTheRegionOfTheFirstPose) {
   EXPECT_EQ(rooms.graph().at(kFirst).created_s, 5.0);
 }
 
-TEST(RoomLayer, Row13EnteringAnUnownedRegionAnchorsARoomAndComingBackRefreshesIt) {
+TEST(RoomLayer, EnteringAnUnownedRegionAnchorsARoomAndComingBackRefreshesIt) {
   Rooms rooms(paperGraph());
   rooms.step(tracked({squareAt(1, 0.0), squareAt(2, 4.0)}), 2.0);
   rooms.step(tracked({squareAt(1, 0.0), squareAt(2, 4.0)}), 6.0);
@@ -105,7 +105,7 @@ TEST(RoomLayer, MaintenanceRefreshesTheRoomsTheRobotIsNotIn) {
   EXPECT_DOUBLE_EQ(rooms.graph().room(kFirst).area_m2, 20.0);
 }
 
-TEST(RoomLayer, Row14MaintenancePromotesTheRegionThatHoldsAnObjectAndNoOther) {
+TEST(RoomLayer, MaintenancePromotesTheRegionThatHoldsAnObjectAndNoOther) {
   Rooms rooms(paperGraph());
   const auto regions = tracked({squareAt(1, 0.0), squareAt(2, 10.0), squareAt(3, 20.0)});
   rooms.step(regions, 2.0);
@@ -156,7 +156,7 @@ TEST(RoomLayer, FinishMakesRoomsEvenIfNoRegionEverHeldTheRobot) {
   EXPECT_TRUE(by_entity.ids().empty());
 }
 
-TEST(RoomLayer, Row15ARoomMovesToTheRegionThatReplacesItsOwn) {
+TEST(RoomLayer, ARoomMovesToTheRegionThatReplacesItsOwn) {
   Rooms rooms(paperGraph());
   const auto before = tracked({regionFrom(1, rectangle(0, 0, 10, 4)), squareAt(2, 20.0)});
   rooms.step(before, 5.0);
@@ -214,7 +214,7 @@ class RoomRemoval : public ::testing::Test {
   static TrackedRegions secondGone() { return tracked({squareAt(1, 0.0)}); }
 };
 
-TEST_F(RoomRemoval, Row16RoomSurvivesThreeMissedUpdates) {
+TEST_F(RoomRemoval, RoomSurvivesThreeMissedUpdates) {
   for (const GraphBuilderConfig& config : {paperGraph(), GraphBuilderConfig{}}) {
     Rooms rooms(config);
     prepare(rooms);
@@ -235,7 +235,7 @@ TEST_F(RoomRemoval, Row16RoomSurvivesThreeMissedUpdates) {
   }
 }
 
-TEST_F(RoomRemoval, Row16RoomGoesWithItsEdgesWhenItsTrackDoes) {
+TEST_F(RoomRemoval, RoomGoesWithItsEdgesWhenItsTrackDoes) {
   Rooms rooms(paperGraph());
   prepare(rooms);
   const NodeId second = rooms.on(2);
@@ -331,7 +331,7 @@ TEST(RoomLayer, RoomsStandOnTheFloor) {
   EXPECT_EQ(rooms.graph().at(kFirst).position, Eigen::Vector3d(2.0, 2.0, -0.3));
 }
 
-TEST(RoomLayer, Row20AnEntityIsContainedInOneRoomUpToHalfAMetreAway) {
+TEST(RoomLayer, AnEntityIsContainedInOneRoomUpToHalfAMetreAway) {
   Rooms rooms(paperGraph());
   const NodeId near = rooms.objectAt(4.49, 2.0);
   const NodeId far = rooms.objectAt(4.51, 2.0);

@@ -36,7 +36,7 @@ SessionState sampleState() {
   SessionState state;
   state.scene = "flat";
   state.stamp_s = 12.5;
-  state.T_map_camera.translation() = Eigen::Vector3d(1, 2, 3);
+  state.T_map_agent.translation() = Eigen::Vector3d(1, 2, 3);
   state.last_room_update_s = 12.25;
   state.tracker.tracks = {{3, 0, square(0)}, {5, 2, square(4)}};
   state.tracker.next_id = 9;
@@ -85,7 +85,7 @@ TEST_F(SessionFolder, BringsBackAllThatWasSaved) {
   const SessionState& state = session.state;
   EXPECT_EQ(state.scene, "flat");
   EXPECT_EQ(state.stamp_s, 12.5);
-  EXPECT_TRUE(state.T_map_camera.isApprox(expected.T_map_camera));
+  EXPECT_TRUE(state.T_map_agent.isApprox(expected.T_map_agent));
   EXPECT_EQ(state.last_room_update_s, 12.25);
   ASSERT_EQ(state.tracker.tracks.size(), 2U);
   EXPECT_EQ(state.tracker.tracks[1].id, 5);

@@ -191,10 +191,11 @@ TEST(ColumnEvidence, RefusesHeightsOutOfOrder) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refusal({2.2, 0.3, 1.5}), "");
   for (const double ceiling : {0.0, -1.0, inf, nan})
-    EXPECT_EQ(refusal({ceiling, 0.3, 1.5}).rfind("ceiling_height_m: is ", 0), 0U) << ceiling;
-  EXPECT_EQ(refusal({2.2, -0.1, 1.5}).rfind("body_bottom_m: is ", 0), 0U);
+    EXPECT_EQ(refusal({ceiling, 0.3, 1.5}).rfind("mapping.evidence.ceiling_height_m: is ", 0), 0U)
+        << ceiling;
+  EXPECT_EQ(refusal({2.2, -0.1, 1.5}).rfind("mapping.evidence.body_bottom_m: is ", 0), 0U);
   EXPECT_EQ(refusal({2.2, 1.5, 1.5}).rfind("body_bottom_m: is ", 0), 0U);
-  EXPECT_EQ(refusal({2.2, nan, 1.5}).rfind("body_bottom_m: is ", 0), 0U);
+  EXPECT_EQ(refusal({2.2, nan, 1.5}).rfind("mapping.evidence.body_bottom_m: is ", 0), 0U);
   EXPECT_EQ(refusal({2.2, 0.3, 2.3}).rfind("body_top_m: is ", 0), 0U);
 }
 

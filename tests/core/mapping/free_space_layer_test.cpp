@@ -57,7 +57,7 @@ int levelOf(int occupied, int neighbour, const FreeSpaceLayerConfig& config = {}
   return valueAt(layerOf(map, config), {1, 0});
 }
 
-TEST(FreeSpaceLayer, Row02RunOfSixVoxelsIsFreeAndOfFiveIsNot) {
+TEST(FreeSpaceLayer, RunOfSixVoxelsIsFreeAndOfFiveIsNot) {
   for (const int voxels : {5, 6, 7}) {
     OccupancyMap map = emptyMap();
     map.insert(freeColumn({0, 0}, 10, 10 + voxels));
@@ -65,7 +65,7 @@ TEST(FreeSpaceLayer, Row02RunOfSixVoxelsIsFreeAndOfFiveIsNot) {
   }
 }
 
-TEST(FreeSpaceLayer, Row02FigureCasesOpenFurnitureWallAndBeam) {
+TEST(FreeSpaceLayer, FigureCasesOpenFurnitureWallAndBeam) {
   // Columns from the left: open, low furniture, full wall, overhead beam, open.
   const std::vector<std::string> rows = {
       "######",  //
@@ -75,7 +75,7 @@ TEST(FreeSpaceLayer, Row02FigureCasesOpenFurnitureWallAndBeam) {
   EXPECT_EQ(valuesOfSlice(rows), (std::vector<int>{kFree, kFree, 100, kFree, kFree, kFree}));
 }
 
-TEST(FreeSpaceLayer, Row02GapIsAWholeNumberOfVoxelsWhateverTheDivisionRoundsTo) {
+TEST(FreeSpaceLayer, GapIsAWholeNumberOfVoxelsWhateverTheDivisionRoundsTo) {
   for (int voxels = 1; voxels <= 40; ++voxels) {
     FreeSpaceLayerConfig config;
     config.min_free_gap_m = voxels * 0.05;
@@ -90,12 +90,12 @@ TEST(FreeSpaceLayer, Row02GapIsAWholeNumberOfVoxelsWhateverTheDivisionRoundsTo) 
   }
 }
 
-TEST(FreeSpaceLayer, Row02OccupiedOrUnknownVoxelEndsTheRun) {
+TEST(FreeSpaceLayer, OccupiedOrUnknownVoxelEndsTheRun) {
   EXPECT_EQ(valuesOfSlice({"...", "...", "...", ".# ", "...", "...", "..."}),
             (std::vector<int>{kFree, 28, kUnknown}));
 }
 
-TEST(FreeSpaceLayer, Row03TableIsFreeAndWallToTheCeilingIsFull) {
+TEST(FreeSpaceLayer, TableIsFreeAndWallToTheCeilingIsFull) {
   OccupancyMap map = emptyMap();
   for (int x = 0; x < 12; ++x)
     for (int y = 0; y < 6; ++y) {
@@ -271,7 +271,7 @@ void expectUpdatesEqualRecompute(const std::vector<PointCloud>& frames,
   }
 }
 
-TEST(FreeSpaceLayer, Row04UpdatesEqualRecomputeCellForCell) {
+TEST(FreeSpaceLayer, UpdatesEqualRecomputeCellForCell) {
   for (std::uint32_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -299,7 +299,7 @@ TEST(FreeSpaceLayer, Row04UpdatesEqualRecomputeCellForCell) {
   }
 }
 
-TEST(FreeSpaceLayer, Row04UpdatesEqualRecomputeInARoomWhoseWallMoves) {
+TEST(FreeSpaceLayer, UpdatesEqualRecomputeInARoomWhoseWallMoves) {
   std::mt19937 random(11);
   OccupancyMapConfig map_config;
   map_config.resolution_m = 0.1;
@@ -377,12 +377,15 @@ std::string refusal(const FreeSpaceLayerConfig& config, const GridFrame& frame =
 
 TEST(FreeSpaceLayer, RefusesAConfigurationOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal({0.3, 101, -kInf, kInf}), "min_obstacle_level: is 101; it must be in [0, 100]");
-  EXPECT_EQ(refusal({0.3, -1, -kInf, kInf}).rfind("min_obstacle_level: ", 0), 0U);
+  EXPECT_EQ(refusal({0.3, 101, -kInf, kInf}),
+            "mapping.free_space.min_obstacle_level: is 101; allowed is [0, 100]");
+  EXPECT_EQ(refusal({0.3, -1, -kInf, kInf}).rfind("mapping.free_space.min_obstacle_level: ", 0),
+            0U);
   for (const double gap : {0.0, -1.0, 101.0, nan, kInf})
-    EXPECT_EQ(refusal({gap, 5, -kInf, kInf}).rfind("min_free_gap_m: is ", 0), 0U) << gap;
-  EXPECT_EQ(refusal({0.3, 5, nan, kInf}).rfind("lowest_z_m: ", 0), 0U);
-  EXPECT_EQ(refusal({0.3, 5, 0.0, nan}).rfind("highest_z_m: ", 0), 0U);
+    EXPECT_EQ(refusal({gap, 5, -kInf, kInf}).rfind("mapping.free_space.min_free_gap_m: is ", 0), 0U)
+        << gap;
+  EXPECT_EQ(refusal({0.3, 5, nan, kInf}).rfind("mapping.free_space.lowest_z_m: ", 0), 0U);
+  EXPECT_EQ(refusal({0.3, 5, 0.0, nan}).rfind("mapping.free_space.highest_z_m: ", 0), 0U);
   EXPECT_EQ(refusal({0.3, 5, 0.0, 0.25}).rfind("highest_z_m: is 0.25", 0), 0U);
   EXPECT_EQ(refusal({0.3, 5, kInf, kInf}).rfind("highest_z_m: ", 0), 0U);
   EXPECT_EQ(refusal({0.3, 5, 1.0, -1.0}).rfind("highest_z_m: ", 0), 0U);

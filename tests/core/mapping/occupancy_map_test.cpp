@@ -72,7 +72,7 @@ PointCloud rayAlongX(float length_m) {
   return cloud;
 }
 
-TEST(OccupancyMap, Row01RayClearsUpToEightMetresAndHitsItsEnd) {
+TEST(OccupancyMap, RayClearsUpToEightMetresAndHitsItsEnd) {
   OccupancyMap map{OccupancyMapConfig{}};
   map.insert(rayAlongX(7.5F));
   for (int x = 0; x < 150; ++x)
@@ -81,7 +81,7 @@ TEST(OccupancyMap, Row01RayClearsUpToEightMetresAndHitsItsEnd) {
   EXPECT_EQ(voxels(map.tree()).size(), 151U);
 }
 
-TEST(OccupancyMap, Row01PointAtNineMetresClearsUpToEightAndHitsNothing) {
+TEST(OccupancyMap, PointAtNineMetresClearsUpToEightAndHitsNothing) {
   OccupancyMap map{OccupancyMapConfig{}};
   map.insert(rayAlongX(9.0F));
   // 8 m along the ray lie in voxel 160, where the ray is cut.
@@ -90,7 +90,7 @@ TEST(OccupancyMap, Row01PointAtNineMetresClearsUpToEightAndHitsNothing) {
   EXPECT_EQ(voxels(map.tree()).size(), 160U);
 }
 
-TEST(OccupancyMap, Row01PointAtElevenMetresIsNoUpdateWhenTheProjectorDropsIt) {
+TEST(OccupancyMap, PointAtElevenMetresIsNoUpdateWhenTheProjectorDropsIt) {
   DepthProjector projector({1, 0.01, 10.0, BeyondMaxDepth::kDrop});
   const DepthImage image{cv::Mat_<float>(2, 2, 11.0F), 1.0};
   OccupancyMap map{OccupancyMapConfig{}};
@@ -275,7 +275,7 @@ std::string refusal(const OccupancyMapConfig& config) {
 TEST(OccupancyMap, RefusesAConfigurationOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal({0.0, 8.0, 0.7, 0.4, 0.12, 0.97}),
-            "resolution_m: is 0.000000; it must be in [0.001000, 10.000000]");
+            "mapping.occupancy.resolution_m: is 0; allowed is [0.001, 10]");
   const std::vector<std::pair<OccupancyMapConfig, std::string>> cases = {
       {{nan, 8.0, 0.7, 0.4, 0.12, 0.97}, "resolution_m"},
       {{10.5, 80.0, 0.7, 0.4, 0.12, 0.97}, "resolution_m"},
@@ -292,7 +292,8 @@ TEST(OccupancyMap, RefusesAConfigurationOutOfRange) {
       {{0.05, 8.0, 0.7, 0.4, 0.12, 1.1}, "max_probability"},
   };
   for (const auto& [config, field] : cases)
-    EXPECT_EQ(refusal(config).rfind(field + ": is ", 0), 0U) << refusal(config);
+    EXPECT_EQ(refusal(config).rfind("mapping.occupancy." + field + ": is ", 0), 0U)
+        << refusal(config);
 }
 
 }  // namespace

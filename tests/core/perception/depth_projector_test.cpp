@@ -278,11 +278,19 @@ TEST(DepthProjector, RefusesAConfigurationOutOfRange) {
     return refusal(config, metres(flat(1.0F)), kCamera, Pose::Identity());
   };
   EXPECT_EQ(message({0, 0.5, 10.0, BeyondMaxDepth::kDrop}),
-            "stride: is 0 pixels; it must be in [1, 16384]");
-  EXPECT_EQ(message({1, -0.5, 10.0, BeyondMaxDepth::kDrop}).rfind("min_depth_m: is -0.5", 0), 0U);
-  EXPECT_EQ(message({1, kNan, 10.0, BeyondMaxDepth::kDrop}).rfind("min_depth_m: is nan", 0), 0U);
-  EXPECT_EQ(message({1, 2.0, 2.0, BeyondMaxDepth::kDrop}).rfind("max_depth_m: is 2.0", 0), 0U);
-  EXPECT_EQ(message({1, 2.0, kInf, BeyondMaxDepth::kDrop}).rfind("max_depth_m: is inf", 0), 0U);
+            "perception.depth.stride: is 0; allowed is [1, 16384]");
+  EXPECT_EQ(message({1, -0.5, 10.0, BeyondMaxDepth::kDrop})
+                .rfind("perception.depth.min_depth_m: is -0.5", 0),
+            0U);
+  EXPECT_EQ(message({1, kNan, 10.0, BeyondMaxDepth::kDrop})
+                .rfind("perception.depth.min_depth_m: is .nan", 0),
+            0U);
+  EXPECT_EQ(message({1, 2.0, 2.0, BeyondMaxDepth::kDrop})
+                .rfind("perception.depth.max_depth_m: is 2 m", 0),
+            0U);
+  EXPECT_EQ(message({1, 2.0, kInf, BeyondMaxDepth::kDrop})
+                .rfind("perception.depth.max_depth_m: is .inf", 0),
+            0U);
 }
 
 }  // namespace

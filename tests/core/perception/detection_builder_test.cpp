@@ -376,17 +376,18 @@ TEST(DetectionBuilder, FrameThatCannotBeUsedIsRefused) {
 
 TEST(DetectionBuilder, RefusesSettingsOutOfRange) {
   EXPECT_EQ(configRefusal({0.004, 6.0, 50, 10.0, 300}),
-            "cluster_eps_m: is 0.004000 m; it must be in [0.005, 10]");
+            "perception.objects.cluster_eps_m: is 0.004; allowed is [0.005, 10]");
   EXPECT_NE(configRefusal({10.1, 6.0, 50, 10.0, 300}), "");
   EXPECT_NE(configRefusal({kNan, 6.0, 50, 10.0, 300}), "");
   EXPECT_EQ(configRefusal({0.05, -1.0, 50, 10.0, 300}),
-            "cluster_gap_pixels: is -1.000000; it must be in [0, 100]");
+            "perception.objects.cluster_gap_pixels: is -1; allowed is [0, 100]");
   EXPECT_NE(configRefusal({0.05, kNan, 50, 10.0, 300}), "");
   EXPECT_EQ(configRefusal({0.05, 6.0, 0, 10.0, 300}),
-            "min_cluster_points: is 0; it must be at least 1");
+            "perception.objects.min_points: is 0; allowed is [1, 1e+06]");
   EXPECT_NE(configRefusal({0.05, 6.0, 50, 0.001, 300}), "");
   EXPECT_NE(configRefusal({0.05, 6.0, 50, kNan, 300}), "");
-  EXPECT_EQ(configRefusal({0.05, 6.0, 50, 10.0, 0}), "max_masks: is 0; it must be at least 1");
+  EXPECT_EQ(configRefusal({0.05, 6.0, 50, 10.0, 0}),
+            "perception.objects.max_masks: is 0; allowed is [1, 300]");
 }
 
 }  // namespace

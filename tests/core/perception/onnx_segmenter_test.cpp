@@ -217,14 +217,14 @@ TEST(OnnxSegmenter, RefusesSettingsOutOfRange) {
   };
   using Config = OnnxSegmenterConfig;
   EXPECT_EQ(changed([](Config& c) { c.input_side = 31; }),
-            "input_side: is 31 pixels; it must be in [32, 4096]");
+            "perception.model.input_side: is 31; allowed is [32, 4096]");
   EXPECT_NE(changed([](Config& c) { c.input_side = 4097; }), "");
   EXPECT_EQ(changed([](Config& c) { c.min_confidence = 0.0; }),
-            "min_confidence: is 0.000000; it must be in (0, 1]");
+            "perception.model.min_confidence: is 0; allowed is [0.001, 1]");
   EXPECT_NE(changed([](Config& c) { c.min_confidence = std::numeric_limits<double>::quiet_NaN(); }),
             "");
   EXPECT_EQ(changed([](Config& c) { c.max_iou = 1.5; }),
-            "max_iou: is 1.500000; it must be in [0, 1]");
+            "perception.model.max_iou: is 1.5; allowed is [0, 1]");
   EXPECT_EQ(changed([](Config& c) { c.class_names.clear(); }),
             "class_names: is empty; the names of the model's classes are needed");
 }

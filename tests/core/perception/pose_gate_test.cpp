@@ -72,8 +72,8 @@ TEST(PoseGate, StampsThatGoBackGiveASecond) {
 }
 
 TEST(PoseGate, SpeedThatIsNoneIsRefused) {
-  EXPECT_TRUE(
-      tells(sentenceOf([] { PoseGate gate(PoseGateConfig{0.0}); }), {"max_speed_m_s", "positive"}));
+  EXPECT_TRUE(tells(sentenceOf([] { PoseGate gate(PoseGateConfig{0.0}); }),
+                    {"perception.poses.max_speed_m_s", "allowed"}));
 }
 
 }  // namespace

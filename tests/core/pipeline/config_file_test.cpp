@@ -51,7 +51,7 @@ TEST(ConfigFile, UnknownKeyNamesLineAndNearestKnownOne) {
 
 TEST(ConfigFile, ValueOutOfRangeNamesKeyValueAndRange) {
   EXPECT_EQ(refusalOf("mapping:\n  occupancy:\n    max_range_m: -1\n"),
-            "mine.yaml:3: mapping.occupancy.max_range_m is '-1'; allowed is [0.1, 1000] m");
+            "mine.yaml:3: mapping.occupancy.max_range_m is '-1'; allowed is [0.001, 100000] m");
 }
 
 TEST(ConfigFile, RuleBetweenTwoKeysNamesBoth) {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 #include "box_world.hpp"
 #include "occusg/error.hpp"
@@ -14,6 +16,7 @@
 #include "occusg/io/scene_graph_file.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
+#include "occusg/regions/label_regions.hpp"
 
 namespace occusg {
 namespace {
@@ -62,7 +65,7 @@ TEST(Pipeline, FirstRoomIsTheOneTheRobotStartedIn) {
   EXPECT_TRUE(contains(first.polygon, {1.9, 2.05}));
 }
 
-TEST(Pipeline, Row26TwoRunsGiveIdenticalBytes) {
+TEST(Pipeline, TwoRunsGiveIdenticalBytes) {
   const auto bytes = [] {
     const Pipeline pipeline = driven();
     std::map<std::string, std::string> files;
@@ -75,7 +78,7 @@ TEST(Pipeline, Row26TwoRunsGiveIdenticalBytes) {
   EXPECT_EQ(first, bytes());
 }
 
-TEST(Pipeline, Row22EveryExportedRoomIsASimplePolygonWithAnArea) {
+TEST(Pipeline, EveryExportedRoomIsASimplePolygonWithAnArea) {
   const Pipeline pipeline = driven();
   const std::string json = toJson(pipeline.graph(), "two_rooms");
   const SceneGraph exported = parseSceneGraph(json, "scene_graph.json").graph;
@@ -237,6 +240,53 @@ TEST(Pipeline, ParametersOfDetectionsTakeEffect) {
   EXPECT_EQ(detectionsWith("perception.objects.min_points: 401\n"), 0U);
   EXPECT_EQ(detectionsWith("perception.objects.max_depth_m: 0.1\n"), 0U);
   EXPECT_EQ(detectionsWith("perception.objects.max_masks: 3\n", 5), 3U);
+}
+
+/// One region of all free cells, whatever lies between them.
+class OneRegion : public Decomposer {
+ public:
+  const Decomposition& update(const FreeSpace& layer, const CellBox& /*changed*/) override {
+    Grid<std::int32_t> labels(layer.cells.box(), kNoRegion);
+    for (int y = labels.box().min.y; y < labels.box().max.y; ++y)
+      for (int x = labels.box().min.x; x < labels.box().max.x; ++x)
+        if (layer.cells.at({x, y}) == kFree) labels.at({x, y}) = 1;
+    decomposition_ = decompositionOf(labels, layer.frame);
+    return decomposition_;
+  }
+  void reset() override {}
+
+ private:
+  Decomposition decomposition_;
+};
+
+TEST(Pipeline, ADecomposerOfTheCallerTakesThePlaceOfTheConfigured) {
+  Pipeline pipeline(PipelineConfig{}, std::make_unique<OneRegion>());
+  for (const DepthFrame& frame : driveThroughTwoRooms()) pipeline.process(frame);
+  pipeline.finish();
+  EXPECT_EQ(roomsOf(pipeline, "two_rooms").rooms.size(), 1U);
+}
+
+TEST(Pipeline, ReportSaysWhetherAFrameWasUsedAndWhatItChanged) {
+  Pipeline pipeline{PipelineConfig{}};
+  const std::vector<DepthFrame> frames = driveThroughTwoRooms();
+  const FrameReport first = pipeline.process(frames[0]);
+  EXPECT_TRUE(first.isUsed());
+  EXPECT_TRUE(first.rooms_updated);
+  EXPECT_GT(first.points, 0U);
+  EXPECT_GT(first.changed_columns, 0U);
+  EXPECT_FALSE(first.changed.empty());
+
+  DepthFrame far = frames[1];
+  far.T_map_camera.translation().x() += 500.0;
+  const FrameReport jumped = pipeline.process(far);
+  EXPECT_EQ(jumped.verdict, FrameVerdict::kTooFast);
+  EXPECT_FALSE(jumped.hasUsablePose());
+  EXPECT_TRUE(jumped.changed.empty());
+  EXPECT_NE(sentenceOn(jumped.verdict), "");
+
+  DepthFrame blind = frames[1];
+  blind.depth.pixels = cv::Mat::zeros(blind.depth.pixels.size(), blind.depth.pixels.type());
+  EXPECT_EQ(pipeline.process(blind).verdict, FrameVerdict::kWithoutDepth);
 }
 
 TEST(Pipeline, APersonsLabelStays) {

@@ -33,7 +33,7 @@ TEST(AcceptanceGuard, AcceptsWhateverComesFirst) {
   EXPECT_TRUE(AcceptanceGuard({}).accept(Decomposition{}));
 }
 
-TEST(AcceptanceGuard, Row10AreaDropOf14Point9PercentIsAcceptedAnd15Point1Rejected) {
+TEST(AcceptanceGuard, AreaDropOf14Point9PercentIsAcceptedAnd15Point1Rejected) {
   AcceptanceGuard slight({});
   ASSERT_TRUE(slight.accept(totals(10, 100.0)));
   EXPECT_TRUE(slight.accept(totals(10, 85.1)));
@@ -45,7 +45,7 @@ TEST(AcceptanceGuard, Row10AreaDropOf14Point9PercentIsAcceptedAnd15Point1Rejecte
   EXPECT_FALSE(grave.accept(totals(10, 84.9)));
 }
 
-TEST(AcceptanceGuard, Row10CountDropRejectsAloneOnlyAsInThePaper) {
+TEST(AcceptanceGuard, CountDropRejectsAloneOnlyAsInThePaper) {
   AcceptanceGuard paper(paperConfig());
   ASSERT_TRUE(paper.accept(totals(1000, 100.0)));
   EXPECT_FALSE(paper.accept(totals(849, 100.0)));
@@ -96,7 +96,7 @@ TEST(AcceptanceGuard, RefusesParametersOutOfRange) {
   AcceptanceGuardConfig config;
   config.max_area_drop = 1.5;
   EXPECT_TRUE(tells(sentenceOf([&] { AcceptanceGuard guard(config); }),
-                    {"regions.guard.max_area_drop", "1.5", "between 0 and 1"}));
+                    {"regions.guard.max_area_drop", "1.5", "allowed is [0, 1]"}));
   config = {};
   config.max_count_drop = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(tells(sentenceOf([&] { AcceptanceGuard guard(config); }),

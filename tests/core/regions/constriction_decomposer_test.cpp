@@ -228,7 +228,7 @@ TEST(ConstrictionDecomposer, RefusesParametersOutOfRange) {
   const std::string where = "regions.constriction.";
   EXPECT_TRUE(tells(refusal([](auto& c) { c.widest_door_m = 0.0; }), {where + "widest_door_m"}));
   EXPECT_TRUE(tells(refusal([](auto& c) { c.shallowest_basin_ratio = 1.5; }),
-                    {where + "shallowest_basin_ratio", "1.5", "between 0.01 and 1"}));
+                    {where + "shallowest_basin_ratio", "1.5", "allowed is [0.01, 1]"}));
   EXPECT_TRUE(tells(refusal([](auto& c) { c.door_widening = 0.9; }), {where + "door_widening"}));
   EXPECT_TRUE(tells(refusal([](auto& c) { c.door_reach_m = -1.0; }), {where + "door_reach_m"}));
   EXPECT_TRUE(tells(refusal([](auto& c) { c.min_region_area_m2 = std::nan(""); }),

@@ -48,7 +48,7 @@ std::unique_ptr<Decomposer> makeDecomposer<ConstrictionDecomposer>() {
 template <>
 std::unique_ptr<Decomposer> makeDecomposer<DudeDecomposer>() {
   DudeDecomposerConfig config;
-  config.depth_threshold_m = 1.5;  // the paper's, which row 5 is stated for
+  config.depth_threshold_m = 1.5;  // the value of the paper
   config.max_ignored_hole_m = 1.0;
   config.min_region_area_m2 = kLargestSpeck_m2;
   return std::make_unique<DudeDecomposer>(config);
@@ -316,7 +316,7 @@ TYPED_TEST(DecomposerContract, UnknownBoundsRegionsAsObstaclesDo) {
   expectEqual(this->decompose(unseen), expected);
 }
 
-TYPED_TEST(DecomposerContract, Row05TwoRoomsJoinedByADoorAreTwoRegionsWithOneCrossing) {
+TYPED_TEST(DecomposerContract, TwoRoomsJoinedByADoorAreTwoRegionsWithOneCrossing) {
   const FreeSpace layer = twoRooms(0.9);
   const Decomposition& result = this->decompose(layer);
   ASSERT_EQ(result.regions.size(), 2U);

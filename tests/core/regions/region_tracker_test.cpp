@@ -112,7 +112,7 @@ TEST(RegionTracker, VanishedAndEmptyUpdateBringBackOldIds) {
   EXPECT_TRUE(back.missed.empty());
 }
 
-TEST(RegionTracker, Row09IdReturnsAfterThreeMissedUpdates) {
+TEST(RegionTracker, IdReturnsAfterThreeMissedUpdates) {
   RegionTracker tracker(unguarded());
   tracker.update(blocks({kLeft, kMiddle}));
   for (int i = 0; i < 3; ++i) {
@@ -123,7 +123,7 @@ TEST(RegionTracker, Row09IdReturnsAfterThreeMissedUpdates) {
   EXPECT_EQ(idsOf(tracker.update(blocks({kLeft, kMiddle}))), (std::vector<int>{1, 2}));
 }
 
-TEST(RegionTracker, Row09IdIsNewAfterFourMissedUpdates) {
+TEST(RegionTracker, IdIsNewAfterFourMissedUpdates) {
   RegionTracker tracker(unguarded());
   tracker.update(blocks({kLeft, kMiddle}));
   for (int i = 0; i < 4; ++i) tracker.update(blocks({kLeft}));
@@ -132,14 +132,14 @@ TEST(RegionTracker, Row09IdIsNewAfterFourMissedUpdates) {
 }
 
 // Shifted by s of its width w, a block overlaps its old self by (w - s) / (w + s).
-TEST(RegionTracker, Row07OverlapMustExceedAFifth) {
+TEST(RegionTracker, OverlapMustExceedAFifth) {
   const Block wall{0, 0, 15, 40};
   EXPECT_EQ(idAfter(wall, {9, 0, 15, 40}), 1);   // 6 / 24 = 0.25
   EXPECT_EQ(idAfter(wall, {10, 0, 15, 40}), 2);  // 5 / 25 = 0.2 exactly
   EXPECT_EQ(idAfter(wall, {11, 0, 15, 40}), 2);  // 4 / 26, though the centroids are 1.1 m apart
 }
 
-TEST(RegionTracker, Row07CentroidsMustBeNearerThanOneAndAHalfMetres) {
+TEST(RegionTracker, CentroidsMustBeNearerThanOneAndAHalfMetres) {
   RegionTrackerConfig paper = unguarded();
   paper.max_centroid_distance_m = 1.5;
   EXPECT_EQ(idAfter(kLeft, {14, 0}, paper), 1);
@@ -150,7 +150,7 @@ TEST(RegionTracker, ByDefaultOverlapAloneTellsWhetherALargeRegionIsTheSame) {
   EXPECT_EQ(idAfter(kLeft, {16, 0}), 1);
 }
 
-TEST(RegionTracker, Row07AreaRatioMustLieWithinAQuarterAndFour) {
+TEST(RegionTracker, AreaRatioMustLieWithinAQuarterAndFour) {
   const Block small{15, 15, 10, 10};
   RegionTrackerConfig config = unguarded();
   config.min_overlap = 0.0;  // Nested blocks overlap by the ratio itself.
@@ -165,7 +165,7 @@ TEST(RegionTracker, Row07AreaRatioMustLieWithinAQuarterAndFour) {
   EXPECT_FALSE(follows({10, 10, 20, 21}, small));
 }
 
-TEST(RegionTracker, Row08GreatestOverlapWinsThoughItsCentroidIsFarther) {
+TEST(RegionTracker, GreatestOverlapWinsThoughItsCentroidIsFarther) {
   RegionTracker tracker(unguarded());
   tracker.update(blocks({{0, 0, 40, 40}}));
   // Concentric, IoU 0.36; or shifted by 1 m, IoU 30 / 50.
@@ -264,7 +264,7 @@ TEST(RegionTracker, AdjacencyAndCrossingsSpeakOfTracks) {
   EXPECT_EQ(tracked.labels.at({0, 0}), 3);
 }
 
-TEST(RegionTracker, Row10RejectedUpdateRepeatsTheLastAcceptedStateAsStale) {
+TEST(RegionTracker, RejectedUpdateRepeatsTheLastAcceptedStateAsStale) {
   RegionTracker tracker({});
   tracker.update(blocks({kLeft, kMiddle, kRight}));
   for (int i = 0; i < 5; ++i) {  // More often than a track may be missed.

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "occusg/geometry/pose.hpp"
 #include "occusg/graph/scene_graph.hpp"
+#include "occusg/parameter.hpp"
 
 namespace occusg {
 
@@ -22,6 +24,11 @@ struct AgentLayerConfig {
   int max_agents = 20'000;     ///< Beyond it the oldest go, [2, kMaxGraphNodes / 2].
 };
 
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(AgentLayerConfig& config);
+
 /// Samples the trajectory and thins it with age, so that it does not grow for ever: agent nodes,
 /// each joined to the one before by a temporal edge (paper, Sec. 3.4). The first pose is always an
 /// agent. Where an agent goes, those before and after it are joined.
@@ -32,7 +39,7 @@ class AgentLayer {
   /// The new agent, or empty when the pose adds nothing. A pose older than the one before, or too
   /// far away for a graph (`kMaxGraphCoordinate_m`), is refused and counted.
   /// @throws Error when the pose or the stamp is not finite.
-  std::optional<NodeId> observe(SceneGraph& graph, const Pose& T_map_camera, double stamp_s);
+  std::optional<NodeId> observe(SceneGraph& graph, const Pose& T_map_agent, double stamp_s);
 
   /// Goes on after the last agent of `graph`.
   /// @param stamp_s of the last pose seen.

@@ -16,6 +16,7 @@
 #include "occusg/graph/room_labels.hpp"
 #include "occusg/graph/room_layer.hpp"
 #include "occusg/graph/scene_graph.hpp"
+#include "occusg/parameter.hpp"
 #include "occusg/regions/region_tracker.hpp"
 
 namespace occusg {
@@ -28,6 +29,11 @@ struct GraphBuilderConfig {
   NavigationLayerConfig navigation;
   RoomLabelTable room_labels = defaultRoomLabels();
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(GraphBuilderConfig& config);
 
 /// Everything a builder knows that the next update does not tell it again.
 struct GraphBuilderState {
@@ -57,15 +63,15 @@ class GraphBuilder {
   /// the rooms when `maintenance_period_s` has passed since they last were. An update older than
   /// the one before is refused whole and counted.
   /// @throws Error when the pose or the stamp is not finite; the graph stays as it was.
-  const SceneGraph& update(const TrackedRegions& tracked, const Pose& T_map_camera, double stamp_s);
+  const SceneGraph& update(const TrackedRegions& tracked, const Pose& T_map_agent, double stamp_s);
   /// The same with the map the regions are from: navigation nodes, ghosts and what of the rooms has
   /// been seen follow it.
-  const SceneGraph& update(const TrackedRegions& tracked, const Pose& T_map_camera, double stamp_s,
+  const SceneGraph& update(const TrackedRegions& tracked, const Pose& T_map_agent, double stamp_s,
                            const MapView& map);
 
   /// A pose between two updates: may become an agent.
   /// @throws Error when the pose or the stamp is not finite.
-  void observePose(const Pose& T_map_camera, double stamp_s);
+  void observePose(const Pose& T_map_agent, double stamp_s);
 
   /// Detections of a frame, between two updates; what cannot be used is left out and counted.
   /// @throws Error when the stamp is not finite.
@@ -103,8 +109,8 @@ class GraphBuilder {
 
  private:
   void maintainFinally(double stamp_s, const MapView* map);
-  const SceneGraph& assemble(const TrackedRegions& tracked, const Pose& T_map_camera,
-                             double stamp_s, const MapView* map);
+  const SceneGraph& assemble(const TrackedRegions& tracked, const Pose& T_map_agent, double stamp_s,
+                             const MapView* map);
 
   GraphBuilderConfig config_;
   SceneGraph graph_;

@@ -10,6 +10,7 @@
 
 #include "occusg/graph/navigation_block.hpp"
 #include "occusg/graph/scene_graph.hpp"
+#include "occusg/parameter.hpp"
 
 namespace occusg {
 
@@ -30,6 +31,11 @@ struct NavigationLayerConfig {
   int min_kept_cells = 15;  ///< And removed when they are fewer; zero: never.
   NavigationNodes nodes = NavigationNodes::kOnePerPart;
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(NavigationLayerConfig& config);
 
 /// Navigation nodes on a lattice of blocks aligned to world zero, and the traversable edges between
 /// them (paper, Sec. 3.4). Only blocks in which a cell became free or stopped being so are touched.

@@ -33,6 +33,10 @@ inline constexpr NodeId kFurtherAgents = 6'000'000;
 /// One past the last id of any type.
 inline constexpr NodeId kIdEnd = 2'000'000'000;
 
+/// Whether the id is one of a room.
+[[nodiscard]] constexpr bool isRoomId(NodeId id) {
+  return id >= firstId(NodeType::kRoom) && id < firstId(NodeType::kDoor);
+}
 /// The type whose nodes have the id; empty when none has.
 [[nodiscard]] std::optional<NodeType> typeOfId(NodeId id);
 /// How many ids of the type come before `id`, which is one of the type or follows its last.
@@ -50,9 +54,10 @@ inline constexpr NodeId kIdEnd = 2'000'000'000;
 /// "AGENT", "OBJECT", "NAVIGATION", "ROOM" or "DOOR".
 [[nodiscard]] const char* nameOf(NodeType type);
 
-/// The robot at one moment.
+/// The robot at one moment. The agent's frame is the one that whoever drives the pipeline follows:
+/// the camera's optical frame in `Pipeline` and `occusg run`, `robot_frame` in the ROS nodes.
 struct AgentAttributes {
-  Pose T_map_camera = Pose::Identity();
+  Pose T_map_agent = Pose::Identity();
 };
 
 /// A thing that was seen; its node is at the mean of the centroids it was seen with.

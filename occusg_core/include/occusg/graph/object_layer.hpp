@@ -10,6 +10,7 @@
 #include "occusg/graph/scene_graph.hpp"
 #include "occusg/graph/seen_apart.hpp"
 #include "occusg/graph/spatial_index.hpp"
+#include "occusg/parameter.hpp"
 #include "occusg/perception/detection.hpp"
 
 namespace octomap {
@@ -43,6 +44,11 @@ struct ObjectLayerConfig {
   int ghost_checks = 3;              ///< So many looks in a row must find the space free.
   double max_link_distance_m = 1.0;  ///< To the nearest navigation node [m].
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(ObjectLayerConfig& config);
 
 /// Most detections taken from one frame; those of the best score.
 inline constexpr std::size_t kMaxDetectionsPerFrame = 300;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
+#include "occusg/parameter.hpp"
+
 namespace occusg {
 
 /// What makes a room of a region the robot has not entered.
@@ -32,5 +36,10 @@ struct RoomLayerConfig {
   /// remembers the region [s]. Zero: exactly while it does (paper, Sec. 3.3).
   double removal_grace_s = 10.0;
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(RoomLayerConfig& config);
 
 }  // namespace occusg

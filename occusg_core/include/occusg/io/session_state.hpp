@@ -15,7 +15,7 @@ namespace occusg {
 struct SessionState {
   std::string scene;
   double stamp_s = 0.0;                      ///< Of the last frame.
-  Pose T_map_camera = Pose::Identity();      ///< Of the last frame.
+  Pose T_map_agent = Pose::Identity();       ///< Of the last frame.
   std::optional<double> last_room_update_s;  ///< When regions and rooms were updated last.
   RegionTrackerState tracker;
   GraphBuilderState graph;

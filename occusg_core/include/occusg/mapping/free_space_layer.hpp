@@ -12,6 +12,7 @@
 #include "occusg/mapping/local_floor.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
 #include "occusg/mapping/voxel_run.hpp"
+#include "occusg/parameter.hpp"
 
 namespace occusg {
 
@@ -32,6 +33,11 @@ struct FreeSpaceLayerConfig {
   HeightReference height_reference = HeightReference::kMap;
   ColumnEvidenceConfig evidence{};
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(FreeSpaceLayerConfig& config);
 
 /// The layer's box is the bounds of all columns with a known voxel, at whatever height, widened to
 /// multiples of so many cells: it depends on the map alone, not on the order of updates, and grows

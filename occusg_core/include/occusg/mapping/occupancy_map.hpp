@@ -9,6 +9,7 @@
 
 #include "occusg/geometry/cell.hpp"
 #include "occusg/mapping/far_islands.hpp"
+#include "occusg/parameter.hpp"
 #include "occusg/perception/point_cloud.hpp"
 #include "occusg/perception/range_image.hpp"
 
@@ -45,6 +46,11 @@ struct OccupancyMapConfig {
   int threads = 1;  ///< That share a frame, [1, kMaxThreads]; results do not depend on it.
   double max_memory_mb = 2048.0;  ///< The tree takes no more frames beyond it [MiB], positive.
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(OccupancyMapConfig& config);
 
 /// Longest range, in voxels.
 inline constexpr double kMaxRangeVoxels = 30000.0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "occusg/geometry/pose.hpp"
+#include "occusg/parameter.hpp"
 #include "occusg/perception/camera_model.hpp"
 #include "occusg/perception/point_cloud.hpp"
 #include "occusg/perception/range_image.hpp"
@@ -25,6 +26,11 @@ struct DepthProjectorConfig {
   /// Values beyond it, and beyond `max_depth_m`, no sensor measures: they mean nothing [m].
   double max_plausible_depth_m = 100.0;
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(DepthProjectorConfig& config);
 
 /// A depth image as it comes from a file or a message.
 struct DepthImage {

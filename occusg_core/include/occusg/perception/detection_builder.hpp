@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
+#include "occusg/parameter.hpp"
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/detection.hpp"
 #include "occusg/perception/instance_mask.hpp"
@@ -18,6 +21,11 @@ struct DetectionBuilderConfig {
   double max_depth_m = 10.0;    ///< Farther pixels are not used, along the optical axis [m].
   int max_masks = kMaxMasks;    ///< Most masks of a frame; those of the best score, >= 1.
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(DetectionBuilderConfig& config);
 
 /// Whether masks of an image of this size can belong to a depth image of that size: it has sides in
 /// [1, 16384] pixels and the aspect ratio of the depth image.

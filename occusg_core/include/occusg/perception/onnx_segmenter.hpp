@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "occusg/parameter.hpp"
 #include "occusg/perception/instance_segmenter.hpp"
 
 namespace occusg {
@@ -17,6 +18,11 @@ struct OnnxSegmenterConfig {
   double min_confidence = 0.70;  ///< Instances of a lower score are left out, (0, 1].
   double max_iou = 0.45;         ///< Of overlapping boxes of a class the better stays, [0, 1].
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(OnnxSegmenterConfig& config);
 
 /// An ONNX segmentation model of the YOLO family on the CPU, through OpenCV's DNN module. Both
 /// layouts of `YoloLayout` are understood, and told apart by their shapes. One image at a time, not

@@ -2,14 +2,21 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "occusg/geometry/pose.hpp"
+#include "occusg/parameter.hpp"
 
 namespace occusg {
 
 struct PoseGateConfig {
   double max_speed_m_s = 20.0;  ///< No robot moves faster [m/s], positive.
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(PoseGateConfig& config);
 
 /// Tells poses that jumped from poses a robot can have: at the speed allowed it must get there,
 /// give or take a metre, from the last pose used or from the last one seen. So a single pose

@@ -8,11 +8,11 @@
 #include "occusg/graph/graph_builder.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
+#include "occusg/parameter.hpp"
 #include "occusg/perception/depth_projector.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg/perception/pose_gate.hpp"
-#include "occusg/pipeline/parameter.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
 #include "occusg/regions/decomposer.hpp"
 #include "occusg/regions/dude_decomposer.hpp"
@@ -56,8 +56,9 @@ struct PipelineConfig {
 /// The configuration the paper describes; where the paper is silent, its authors' shipped one.
 [[nodiscard]] PipelineConfig paperConfig();
 
-/// Rules between parameters, which no single range can express.
-/// @throws Error naming both keys and values.
+/// Every parameter against its range, and the rules between parameters, which no single range can
+/// express.
+/// @throws Error naming the keys and values.
 void check(const PipelineConfig& config);
 
 }  // namespace occusg

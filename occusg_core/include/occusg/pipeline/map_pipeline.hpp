@@ -8,6 +8,7 @@
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/depth_projector.hpp"
 #include "occusg/pipeline/config.hpp"
+#include "occusg/pipeline/frame_report.hpp"
 #include "occusg/pipeline/stage_times.hpp"
 
 namespace occusg {
@@ -41,16 +42,14 @@ class MapPipeline {
   /// @throws Error when the map is larger than the layer can be; the state is then as before.
   const FreeSpace& startFrom(OccupancyMap map);
 
-  /// Takes one frame into the map. In the layer, `changed` is what this frame changed: nothing when
-  /// its pose jumped, lies outside the map or would make it span more than the layer can.
-  /// @throws Error when the frame cannot be used; the state is then as before the call.
-  const FreeSpace& process(const DepthFrame& frame);
+  /// Takes one frame into the map.
+  /// @return what became of it; `freeSpace()` has the layer that follows.
+  /// @throws Error when the frame itself cannot be used; the state is then as before the call.
+  FrameReport process(const DepthFrame& frame);
 
   [[nodiscard]] const OccupancyMap& occupancyMap() const { return occupancy_; }
   [[nodiscard]] const FreeSpace& freeSpace() const { return free_space_.freeSpace(); }
   [[nodiscard]] const MapCounts& counts() const { return counts_; }
-  /// Whether the last frame's pose can be; what follows from one that cannot is no knowledge.
-  [[nodiscard]] bool lastPoseIsUsable() const { return last_pose_is_usable_; }
   /// Durations so far, and the memory each stage's result holds now; walks the results.
   [[nodiscard]] StageTimes times() const;
   /// Durations so far.
@@ -58,14 +57,15 @@ class MapPipeline {
 
  private:
   [[nodiscard]] bool staysInSpan(const Point3f& origin) const;
-  [[nodiscard]] MapChange insert(const RangeImage& image, double stamp_s);
+  /// @param change what the map made of the frame, where it was asked.
+  [[nodiscard]] FrameVerdict insert(const RangeImage& image, double stamp_s, MapChange& change);
+  void count(const FrameReport& report);
 
   DepthProjector projector_;
   PoseGate gate_;
   OccupancyMap occupancy_;
   FreeSpaceLayer free_space_;
   MapCounts counts_;
-  bool last_pose_is_usable_ = true;
   StageTimes times_;
 };
 

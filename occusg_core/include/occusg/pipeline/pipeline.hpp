@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/pipeline/config.hpp"
+#include "occusg/pipeline/frame_report.hpp"
 #include "occusg/pipeline/map_pipeline.hpp"
 #include "occusg/pipeline/room_pipeline.hpp"
 #include "occusg/pipeline/stage_times.hpp"
@@ -22,10 +24,19 @@ struct PipelineCounts : MapCounts, RoomCounts {
 
 /// Composes the stages, with the two halves of the pipeline on one clock. Logical time: it is
 /// driven by the stamps of its frames, so equal recordings give equal results.
+///
+///     Pipeline pipeline(loadConfig("default"));
+///     for (const DepthFrame& frame : frames) {
+///       const FrameReport report = pipeline.process(frame);
+///       if (!report.isUsed()) std::cerr << sentenceOn(report.verdict) << '\n';
+///     }
+///     pipeline.finish();
+///     for (const Node* room : pipeline.graph().nodes(NodeType::kRoom)) ...
 class Pipeline {
  public:
+  /// @param decomposer cuts free space into regions; none: the one `config` names.
   /// @throws Error when the configuration breaks a rule.
-  explicit Pipeline(const PipelineConfig& config);
+  explicit Pipeline(const PipelineConfig& config, std::unique_ptr<Decomposer> decomposer = nullptr);
 
   /// Continues from a saved map; to be called before the first frame.
   /// @throws Error when there was a frame, or the map is larger than the free-space layer can be;
@@ -44,12 +55,13 @@ class Pipeline {
   /// Takes one frame through the stages: cloud, occupancy and free space always; regions and graph
   /// when `region_period_s` has passed. A frame whose pose jumped or lies outside the map is
   /// counted and leaves nothing.
+  /// @return what became of the frame.
   /// @throws Error when the frame cannot be used or is not younger than the one before; the state
   /// is then as before the call.
-  void process(const DepthFrame& frame);
+  FrameReport process(const DepthFrame& frame);
   /// The same with the objects seen in an image of the same view; they join the scene graph.
   /// @throws Error as above, or when the masks' image does not fit the depth image.
-  void process(const DepthFrame& frame, const InstanceMasks& masks);
+  FrameReport process(const DepthFrame& frame, const InstanceMasks& masks);
 
   /// Gives a room a label that stays; an empty one returns to the automatic label.
   /// @throws Error when there is no such room or the label cannot be one.
@@ -71,7 +83,7 @@ class Pipeline {
 
  private:
   void checkStamp(const DepthFrame& frame) const;
-  void takeIn(const DepthFrame& frame, const DetectionResult& objects);
+  FrameReport takeIn(const DepthFrame& frame, const DetectionResult& objects);
   [[nodiscard]] MapView mapView(const CellBox& changed) const;
   void updateRooms(const Pose& T_map_camera, double stamp_s);
   [[nodiscard]] bool roomsAreDue(double stamp_s) const;

@@ -30,8 +30,10 @@ struct RoomCounts {
 /// with a finished 2D map uses alone. Logical time: it is driven by the stamps it is given.
 class RoomPipeline {
  public:
+  /// @param decomposer cuts free space into regions; none: the one `config` names.
   /// @throws Error when the configuration breaks a rule.
-  explicit RoomPipeline(const PipelineConfig& config);
+  explicit RoomPipeline(const PipelineConfig& config,
+                        std::unique_ptr<Decomposer> decomposer = nullptr);
 
   /// Brings regions and rooms up to date with `layer`.
   /// @param changed bounds of the cells that differ from the previous call's layer.

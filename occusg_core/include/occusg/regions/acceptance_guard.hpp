@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
+#include "occusg/parameter.hpp"
 #include "occusg/regions/region.hpp"
 
 namespace occusg {
@@ -16,6 +18,11 @@ struct AcceptanceGuardConfig {
   /// After so many rejections in a row the new state is accepted; 0 = never (as in the paper).
   int max_rejections_in_a_row = 6;
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(AcceptanceGuardConfig& config);
 
 /// Refuses a decomposition that lost too much at once (paper, Sec. 3.3: 15 %). Keeps the totals of
 /// the last accepted one; the first is always accepted.

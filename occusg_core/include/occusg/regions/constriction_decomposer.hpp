@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
+#include "occusg/parameter.hpp"
 #include "occusg/regions/decomposer.hpp"
 
 namespace occusg {
@@ -31,6 +34,11 @@ struct ConstrictionDecomposerConfig {
   /// they are not free.
   IslandFootprint island_footprint = IslandFootprint::kFillInsideOneRegion;
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(ConstrictionDecomposerConfig& config);
 
 /// Regions as basins of the distance to the nearest obstacle: the watershed of the distance
 /// transform, whose neighbouring basins are merged unless the saddle between them is a real

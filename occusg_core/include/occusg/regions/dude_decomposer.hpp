@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "occusg/parameter.hpp"
 #include "occusg/regions/decomposer.hpp"
 #include "occusg/regions/dude_mask.hpp"
 #include "occusg/regions/dude_partition.hpp"
@@ -34,6 +35,11 @@ struct DudeDecomposerConfig {
   GridCleaning cleaning = GridCleaning::kNone;
   ComponentChoice components = ComponentChoice::kAll;
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(DudeDecomposerConfig& config);
 
 /// The configuration nearest to the published system: a depth threshold of 1.5 m, its grid cleaning
 /// and its restriction to the largest component.

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "occusg/parameter.hpp"
 #include "occusg/regions/acceptance_guard.hpp"
 #include "occusg/regions/region.hpp"
 
@@ -22,6 +23,11 @@ struct RegionTrackerConfig {
   int max_missed_updates = 3;    ///< A track survives so many updates without a region.
   AcceptanceGuardConfig guard;
 };
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(RegionTrackerConfig& config);
 
 /// Regions with lasting ids.
 struct TrackedRegions {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/pipeline/parameter.hpp"
+#include "occusg/parameter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@
 #include <numeric>
 #include <optional>
 #include <sstream>
+
+#include "occusg/error.hpp"
 
 namespace occusg {
 namespace {
@@ -32,6 +34,12 @@ std::string rangeText(const std::string& min, const std::string& max) {
   return "[" + min + ", " + max + "]";
 }
 
+/// Written so that NaN, which compares false with everything, is not in it.
+template <typename T>
+bool contains(const Range<T>& range, T value) {
+  return value >= range.min && value <= range.max;
+}
+
 template <typename T>
 Parameter rangedParameter(T& value, Range<T> range, ParameterText text) {
   Parameter parameter{std::move(text.key),
@@ -39,6 +47,7 @@ Parameter rangedParameter(T& value, Range<T> range, ParameterText text) {
                       rangeText(shortestText(range.min), shortestText(range.max)),
                       std::move(text.description),
                       std::move(text.paper),
+                      {},
                       {},
                       {}};
   parameter.print = [&value] { return shortestText(value); };
@@ -49,15 +58,24 @@ Parameter rangedParameter(T& value, Range<T> range, ParameterText text) {
     } else {
       number = parsed<T>(written);
     }
-    // Written so that NaN, which compares false with everything, is refused.
-    if (!number || !(*number >= range.min && *number <= range.max)) return false;
+    if (!number || !contains(range, *number)) return false;
     value = *number;
     return true;
   };
+  parameter.holds = [&value, range] { return contains(range, value); };
   return parameter;
 }
 
 }  // namespace
+
+void check(const std::vector<Parameter>& parameters) {
+  for (const Parameter& parameter : parameters) {
+    if (parameter.holds()) continue;
+    const std::string value = parameter.print();
+    throw refuse(parameter.key, "is " + (value.empty() ? "not one of the choices" : value),
+                 "allowed is " + parameter.allowed);
+  }
+}
 
 std::string shortestText(double value) {
   if (std::isinf(value)) return value > 0 ? ".inf" : "-.inf";

@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-occusg_add_floor(geometry
+# Every other module uses base.
+occusg_add_module(base
+  SOURCES
+    parameter.cpp)
+
+occusg_add_module(geometry
   SOURCES
     cell_outline.cpp
     edge_contacts.cpp
@@ -10,7 +15,7 @@ occusg_add_floor(geometry
   LIBRARIES CGAL::CGAL Polyclipping::Polyclipping
   ALONE polygon_overlap.cpp)
 
-occusg_add_floor(perception
+occusg_add_module(perception
   SOURCES
     camera_model.cpp
     class_names.cpp
@@ -22,13 +27,14 @@ occusg_add_floor(perception
     map_orientation.cpp
     onnx_segmenter.cpp
     onnx_signature.cpp
+    perception_parameters.cpp
     pose_gate.cpp
     range_image.cpp
     yolo_output.cpp
   USES geometry
   LIBRARIES opencv_core opencv_imgproc opencv_dnn PclClustering::PclClustering)
 
-occusg_add_floor(mapping
+occusg_add_module(mapping
   SOURCES
     column_bits.cpp
     depth_bounds.cpp
@@ -41,6 +47,7 @@ occusg_add_floor(mapping
     lattice_projection.cpp
     layer_without_rays.cpp
     local_floor.cpp
+    mapping_parameters.cpp
     measured_evidence.cpp
     occupancy_map.cpp
     occupancy_thresholds.cpp
@@ -74,7 +81,7 @@ else()
   set(dude_sources without_dude.cpp)
   set(dude_libraries "")
 endif()
-occusg_add_floor(regions
+occusg_add_module(regions
   SOURCES
     ${dude_sources}
     acceptance_guard.cpp
@@ -87,12 +94,13 @@ occusg_add_floor(regions
     no_rooms.cpp
     passages.cpp
     region_tracker.cpp
+    regions_parameters.cpp
     squared_distance.cpp
     straight_cuts.cpp
   USES geometry mapping
   LIBRARIES ${dude_libraries} opencv_core opencv_imgproc)
 
-occusg_add_floor(graph
+occusg_add_module(graph
   SOURCES
     adjacency_layer.cpp
     agent_layer.cpp
@@ -104,6 +112,7 @@ occusg_add_floor(graph
     free_space_links.cpp
     ghost_check.cpp
     graph_builder.cpp
+    graph_parameters.cpp
     graph_query.cpp
     interior_point.cpp
     navigation_block.cpp
@@ -124,7 +133,7 @@ occusg_add_floor(graph
   USES geometry perception mapping regions
   ALONE room_labels.cpp)
 
-occusg_add_floor(io
+occusg_add_module(io
   SOURCES
     canvas.cpp
     color_image.cpp
@@ -183,7 +192,7 @@ occusg_add_floor(io
   LIBRARIES nlohmann_json::nlohmann_json yaml-cpp opencv_core opencv_imgproc opencv_imgcodecs
   ALONE object_labels.cpp scene_graph_file.cpp)
 
-occusg_add_floor(evaluation
+occusg_add_module(evaluation
   SOURCES
     alignment.cpp
     assignment.cpp
@@ -200,7 +209,7 @@ occusg_add_floor(evaluation
   LIBRARIES nlohmann_json::nlohmann_json opencv_core opencv_imgproc
   ALONE room_metrics.cpp)
 
-occusg_add_floor(report
+occusg_add_module(report
   SOURCES
     companion_tables.cpp
     html_text.cpp
@@ -215,12 +224,12 @@ occusg_add_floor(report
   USES geometry perception mapping regions graph io evaluation
   LIBRARIES nlohmann_json::nlohmann_json)
 
-occusg_add_floor(pipeline
+occusg_add_module(pipeline
   SOURCES
     config.cpp
     config_file.cpp
+    frame_report.cpp
     map_pipeline.cpp
-    parameter.cpp
     pipeline.cpp
     results.cpp
     room_labels_file.cpp

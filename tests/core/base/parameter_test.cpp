@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/pipeline/parameter.hpp"
+#include "occusg/parameter.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <vector>
+
+#include "occusg/error.hpp"
 
 namespace occusg {
 namespace {
@@ -18,6 +22,24 @@ TEST(Parameter, NumberOutsideItsRangeIsNotAssigned) {
   EXPECT_TRUE(parameter.assign("1"));
   EXPECT_EQ(value, 1.0);
   EXPECT_EQ(parameter.allowed, "[0, 1]");
+}
+
+TEST(Parameter, ValueThatIsNotAllowedIsRefusedWithItsKeyAndRange) {
+  double share = 0.5;
+  const std::vector<Parameter> table{numberParameter(share, {0.0, 1.0}, {"share", "", "A share."})};
+  check(table);
+  for (const double wrong : {-0.5, 1.5, std::numeric_limits<double>::quiet_NaN()}) {
+    share = wrong;
+    EXPECT_FALSE(table.front().holds());
+    try {
+      check(table);
+      FAIL() << wrong;
+    } catch (const Error& error) {
+      const std::string sentence = error.what();
+      EXPECT_NE(sentence.find("share"), std::string::npos) << sentence;
+      EXPECT_NE(sentence.find("allowed is [0, 1]"), std::string::npos) << sentence;
+    }
+  }
 }
 
 TEST(Parameter, CountTakesWholeNumbersOnly) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <initializer_list>
 #include <string>
@@ -22,7 +23,20 @@ struct Parameter {
   std::function<std::string()> print;
   /// Takes the value; false, and nothing changed, when the text is not one of the allowed values.
   std::function<bool(std::string_view)> assign;
+  /// Whether the value itself is one of the allowed ones.
+  std::function<bool()> holds;
 };
+
+/// @throws Error naming the first parameter whose value is not allowed, the value and the range.
+void check(const std::vector<Parameter>& parameters);
+
+/// The same for a struct that has a table; returns it, for initialisers.
+template <typename Config>
+const Config& checked(const Config& config) {
+  Config copy = config;
+  check(parametersOf(copy));
+  return config;
+}
 
 /// Closed range of a number.
 template <typename T>
@@ -56,11 +70,16 @@ template <typename Enum>
                       std::move(text.description),
                       std::move(text.paper),
                       {},
+                      {},
                       {}};
   parameter.print = [&value, choices] {
     for (const auto& choice : choices)
       if (choice.second == value) return choice.first;
     return std::string();
+  };
+  parameter.holds = [&value, choices] {
+    return std::any_of(choices.begin(), choices.end(),
+                       [&value](const auto& choice) { return choice.second == value; });
   };
   parameter.assign = [&value, choices = std::move(choices)](std::string_view name) {
     for (const auto& choice : choices) {
