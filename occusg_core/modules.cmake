@@ -92,6 +92,7 @@ occusg_add_module(regions
     label_regions.cpp
     lintels.cpp
     no_rooms.cpp
+    outside.cpp
     passages.cpp
     region_tracker.cpp
     regions_parameters.cpp

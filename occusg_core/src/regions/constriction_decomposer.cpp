@@ -10,6 +10,7 @@
 #include "regions/basins.hpp"
 #include "regions/clearance.hpp"
 #include "regions/lintels.hpp"
+#include "regions/outside.hpp"
 #include "regions/passages.hpp"
 #include "regions/straight_cuts.hpp"
 
@@ -20,6 +21,9 @@ namespace {
 constexpr double kOpenRatio = 0.95;
 /// [m] Lower than a low door: something that hangs lower is furniture.
 constexpr double kLowestLintel_m = 1.7;
+
+/// [m] A border this near to an obstacle is wall: two cells of common maps, and half a cell.
+constexpr double kWallReach_m = 0.15;
 
 /// Smallest number of cells that cover at least `area_m2`.
 std::size_t cellsOf(double area_m2, const GridFrame& frame) {
@@ -77,13 +81,21 @@ Grid<std::int32_t> labelsOf(const FreeSpace& layer, const ConstrictionDecomposer
                              config.door_widening, config.door_reach_m / frame.resolution_m};
   Grid<std::int32_t> basins = basinsOf(clearance, {widest_passage_cells, kOpenRatio});
   basins = withoutSmallPieces(joinedAcrossOpenings(clearance, basins, rules), min_cells);
+  basins = withoutNiches(clearance, basins,
+                         {config.max_opening_ratio, rules.widening, rules.reach_cells});
   Grid<std::int32_t> labels = straightened(clearance, basins, passageCuts(clearance, basins));
   leaveOutIslands(clearance, config.island_footprint, labels);
   labels = withoutSmallPieces(labels, min_cells);
-  if (config.highest_lintel_m == 0.0) return labels;
-  // What is small between its doors may be a room with its share of them.
-  openLintels(layer.cells, closed, labels);
-  return withoutSmallPieces(labels, min_cells);
+  if (config.highest_lintel_m > 0.0) {
+    // What is small between its doors may be a room with its share of them.
+    openLintels(layer.cells, closed, labels);
+    labels = withoutSmallPieces(labels, min_cells);
+  }
+  removeNarrow(clearance.squared, config.min_room_width_m / frame.resolution_m, labels);
+  // A layer that comes from a 3D map has seen the floor of all it calls free.
+  if (layer.evidence.empty() && config.min_enclosed_share > 0.0)
+    removeOutside(closed, {config.min_enclosed_share, kWallReach_m / frame.resolution_m}, labels);
+  return labels;
 }
 
 }  // namespace

@@ -104,11 +104,13 @@ class Joins {
     const auto deepest = std::max_element(basins.values().begin(), basins.values().end());
     const std::size_t count = deepest == basins.values().end() ? 0 : *deepest;
     squared_depth_.assign(count + 1, 0);
+    cells_.assign(count + 1, 0.0);
     parent_.resize(count + 1);
     std::iota(parent_.begin(), parent_.end(), 0);
     for (std::size_t i = 0; i < basins.values().size(); ++i) {
       std::int32_t& depth = squared_depth_[basins.values()[i]];
       depth = std::max(depth, squared.values()[i]);
+      cells_[basins.values()[i]] += 1.0;
     }
   }
 
@@ -118,15 +120,20 @@ class Joins {
   }
   [[nodiscard]] double depth(std::int32_t root) const { return halfWidth(squared_depth_[root]); }
 
+  /// Area of what has become one.
+  [[nodiscard]] double cells(std::int32_t root) const { return cells_[root]; }
+
   void join(std::int32_t root_a, std::int32_t root_b) {
     const auto [low, high] = std::minmax({root_a, root_b});
     parent_[high] = low;
     squared_depth_[low] = std::max(squared_depth_[low], squared_depth_[high]);
+    cells_[low] += cells_[high];
   }
 
  private:
   std::vector<std::int32_t> parent_;
   std::vector<std::int32_t> squared_depth_;
+  std::vector<double> cells_;
 };
 
 /// The space on both sides of a passage, as far as the two basins that meet there reach.
@@ -189,6 +196,41 @@ class PassageSides {
   double width_ = 0.0;
 };
 
+/// Where two regions meet.
+struct Opening {
+  Contact contact;
+  double width_cells = 0.0;
+  std::optional<PassageCut> cut;
+  bool is_door = false;
+};
+
+std::vector<Opening> openingsOf(const Grid<std::int32_t>& regions, const Clearance& clearance) {
+  std::vector<Opening> openings;
+  for (Contact& contact : contactsOf(regions)) {
+    const Cell saddle = saddleOf(contact, clearance.squared);
+    const double width_cells = 2.0 * halfWidth(clearance.squared.at(saddle));
+    openings.push_back({std::move(contact), width_cells, cutAt(saddle, clearance)});
+  }
+  return openings;
+}
+
+/// The opening that is widest for the size of the smaller region beside it, above `least_ratio` and
+/// no door; none: null.
+Opening* mostOpen(std::vector<Opening>& openings, const Joins& joins, double least_ratio) {
+  Opening* most = nullptr;
+  for (Opening& opening : openings) {
+    const std::int32_t a = joins.root(opening.contact.label_a);
+    const std::int32_t b = joins.root(opening.contact.label_b);
+    if (a == b || opening.is_door) continue;
+    const double side_cells = std::sqrt(std::min(joins.cells(a), joins.cells(b)));
+    const double ratio = opening.width_cells / side_cells;
+    if (ratio <= least_ratio) continue;
+    least_ratio = ratio;
+    most = &opening;
+  }
+  return most;
+}
+
 }  // namespace
 
 Grid<std::int32_t> joinedAcrossOpenings(const Clearance& clearance,
@@ -220,6 +262,27 @@ Grid<std::int32_t> joinedAcrossOpenings(const Clearance& clearance,
   }
   Grid<std::int32_t> joined = basins;
   for (std::int32_t& basin : joined.values()) basin = joins.root(basin);
+  return joined;
+}
+
+Grid<std::int32_t> withoutNiches(const Clearance& clearance, const Grid<std::int32_t>& regions,
+                                 const NicheRules& rules) {
+  if (regions.values().empty()) return regions;
+  Joins joins(regions, clearance.squared);
+  std::vector<Opening> openings = openingsOf(regions, clearance);
+  while (Opening* worst = mostOpen(openings, joins, rules.most_open_ratio)) {
+    const std::int32_t a = joins.root(worst->contact.label_a);
+    const std::int32_t b = joins.root(worst->contact.label_b);
+    const bool is_door = worst->cut && PassageSides(regions, joins, a, b, *worst->cut)
+                                           .bothWiden(rules.widening, rules.reach_cells);
+    if (is_door) {
+      worst->is_door = true;  // a wall with an opening stays one when its sides grow
+    } else {
+      joins.join(a, b);
+    }
+  }
+  Grid<std::int32_t> joined = regions;
+  for (std::int32_t& region : joined.values()) region = joins.root(region);
   return joined;
 }
 

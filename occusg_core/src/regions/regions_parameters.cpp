@@ -68,6 +68,20 @@ std::vector<Parameter> parametersOf(ConstrictionDecomposerConfig& constriction) 
                        "A passage too wide for shallowest_basin_ratio still separates two regions "
                        "when free space widens by this factor on both sides."}));
   list.push_back(numberParameter(
+      constriction.max_opening_ratio, {0.1, 100.0},
+      {"regions.constriction.max_opening_ratio", "",
+       "A region is part of its neighbour when the passage between them is wider than this times "
+       "the side of a square of the region's area (unless both sides widen by door_widening)."}));
+  list.push_back(
+      numberParameter(constriction.min_room_width_m, {0.0, 100.0},
+                      {"regions.constriction.min_room_width_m", "m",
+                       "A region in which no free circle of this diameter fits is dropped."}));
+  list.push_back(numberParameter(
+      constriction.min_enclosed_share, {0.0, 1.0},
+      {"regions.constriction.min_enclosed_share", "",
+       "In 2D maps, a region is outside the building and dropped when the share of wall in its "
+       "border is below this times the usual share in the map; 0: never."}));
+  list.push_back(numberParameter(
       constriction.door_reach_m, {0.0, 100.0},
       {"regions.constriction.door_reach_m", "m",
        "Distance from a passage within which free space must widen by door_widening."}));

@@ -219,6 +219,91 @@ TEST(ConstrictionDecomposer, ResolutionChangesTheCellsNotTheRooms) {
   }
 }
 
+/// A hall of 10 m x 5 m between walls of 0.2 m, nothing known around it.
+FreeSpace hall() {
+  FreeSpace layer = solid(30.0, 20.0);
+  fill(layer, 0.0, 0.0, 30.0, 20.0, kUnknown);
+  fill(layer, 9.8, 4.8, 20.2, 10.2, kFullObstacle);
+  fill(layer, 10.0, 5.0, 20.0, 10.0);
+  return layer;
+}
+
+TEST(ConstrictionDecomposer, BeamsThroughCracksOfDoorsAreNoRooms) {
+  FreeSpace layer = hall();
+  for (const double x : {11.0, 13.0, 15.0}) fill(layer, x, 10.3, x + 0.2, 19.0);
+  const Decomposition result = decompose(layer);
+  ASSERT_EQ(result.regions.size(), 1U);
+  EXPECT_NEAR(result.regions[0].area_m2, 50.0, 0.3);
+  ConstrictionDecomposerConfig config;
+  config.min_room_width_m = 0.0;
+  config.min_enclosed_share = 0.0;
+  EXPECT_EQ(regionCount(layer, config), 4U);
+}
+
+/// Beams of 0.4 m, 0.2 m apart beyond a window of 1.2 m, that fill up near it.
+FreeSpace hallWithAFanBehindItsWindow() {
+  FreeSpace layer = hall();
+  fill(layer, 14.0, 10.0, 15.2, 10.2);
+  fill(layer, 12.6, 10.2, 16.6, 12.0);
+  for (int beam = 0; beam < 7; ++beam)
+    fill(layer, 12.6 + 0.6 * beam, 12.0, 13.0 + 0.6 * beam, 15.0 + beam % 3);
+  return layer;
+}
+
+TEST(ConstrictionDecomposer, FanOfRaysBehindAWindowIsOutside) {
+  const Decomposition result = decompose(hallWithAFanBehindItsWindow());
+  ASSERT_EQ(result.regions.size(), 1U);
+  EXPECT_NEAR(result.regions[0].area_m2, 50.0, 0.5);
+  ConstrictionDecomposerConfig config;
+  config.min_enclosed_share = 0.0;
+  EXPECT_GT(regionCount(hallWithAFanBehindItsWindow(), config), 1U);
+}
+
+TEST(ConstrictionDecomposer, RoomsOfAMapThatDrawsNoWallsStay) {
+  FreeSpace layer = solid(12.0, 6.0);
+  fill(layer, 0.0, 0.0, 12.0, 6.0, kUnknown);
+  fill(layer, 0.5, 0.5, 5.5, 5.5);
+  fill(layer, 5.5, 2.5, 5.8, 3.4);
+  fill(layer, 5.8, 0.5, 11.0, 5.5);
+  EXPECT_EQ(regionCount(layer), 2U);
+}
+
+TEST(ConstrictionDecomposer, PaperAroundADrawnPlanIsNoRoom) {
+  FreeSpace layer = solid(14.6, 10.4);
+  fill(layer, 0.0, 0.0, 14.6, 10.4);
+  fill(layer, 3.0, 3.0, 11.6, 7.4, kFullObstacle);
+  fill(layer, 3.2, 3.2, 7.2, 7.2);
+  fill(layer, 7.4, 3.2, 11.4, 7.2);
+  fill(layer, 7.2, 4.7, 7.4, 5.6);
+  const Decomposition result = decompose(layer);
+  ASSERT_EQ(result.regions.size(), 2U);
+  EXPECT_LT(result.regions[0].area_m2 + result.regions[1].area_m2, 32.5);
+}
+
+/// A room of 6 m x 4 m whose corner of 1.6 m x 1.5 m lies behind a cabinet and clutter at the wall.
+TEST(ConstrictionDecomposer, CornerBehindACabinetIsPartOfItsRoom) {
+  FreeSpace layer = solid(6.4, 4.4);
+  fill(layer, 0.2, 0.2, 6.2, 4.2);
+  fill(layer, 1.8, 2.7, 2.4, 4.2, kFullObstacle);
+  for (int i = 0; i < 7; ++i)
+    fill(layer, 0.2, 2.7 + 0.1 * i, 0.9 - 0.1 * i, 2.8 + 0.1 * i, kFullObstacle);
+  ConstrictionDecomposerConfig config;
+  config.max_opening_ratio = 100.0;
+  EXPECT_EQ(regionCount(layer, config), 2U);
+  EXPECT_EQ(regionCount(layer), 1U);
+}
+
+TEST(ConstrictionDecomposer, BoothsBehindStubsOfWallAreRooms) {
+  // Two booths of 2.2 m x 2.2 m that open over 1.6 m between stubs of a thin wall.
+  FreeSpace layer = solid(8.0, 7.0);
+  fill(layer, 0.2, 0.2, 7.8, 3.2);
+  for (const double x : {1.0, 4.0}) {
+    fill(layer, x, 3.3, x + 2.2, 5.5);
+    fill(layer, x + 0.3, 3.2, x + 1.9, 3.3);
+  }
+  EXPECT_EQ(regionCount(layer), 3U);
+}
+
 TEST(ConstrictionDecomposer, RefusesParametersOutOfRange) {
   const auto refusal = [](auto change) {
     ConstrictionDecomposerConfig config;

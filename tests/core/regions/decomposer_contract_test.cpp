@@ -40,8 +40,11 @@ std::unique_ptr<Decomposer> makeDecomposer();
 
 template <>
 std::unique_ptr<Decomposer> makeDecomposer<ConstrictionDecomposer>() {
+  // What is left out as too narrow or outside is tested in constriction_decomposer_test.cpp.
   ConstrictionDecomposerConfig config;
   config.min_region_area_m2 = kLargestSpeck_m2;
+  config.min_room_width_m = 0.0;
+  config.min_enclosed_share = 0.0;
   return std::make_unique<ConstrictionDecomposer>(config);
 }
 

@@ -21,7 +21,17 @@ struct ConstrictionDecomposerConfig {
   double shallowest_basin_ratio = 0.75;
   /// ... or, if not, where both sides measure this many times the passage's width, 1 or more,
   double door_widening = 1.3;
-  double door_reach_m = 1.0;        ///< within this distance of it: a door beside a corridor [m].
+  /// within this distance of it [m]: both faces of a wall, not a wall that gradually leaves.
+  double door_reach_m = 0.2;
+  /// A region is a niche of its neighbour when the passage is wider than this times the side of a
+  /// square of the region's area, unless both sides widen as above.
+  double max_opening_ratio = 0.55;
+  /// A region in which no free circle of this diameter fits is dropped [m].
+  double min_room_width_m = 0.6;
+  /// In a layer without column evidence (a 2D map), a region is outside when the share of wall in
+  /// its border is below this times the usual share in the map, in [0, 1]. So is the paper around a
+  /// drawn plan. 0: nothing is outside.
+  double min_enclosed_share = 0.5;
   double min_region_area_m2 = 1.0;  ///< Smaller regions join their neighbour or are dropped [m2].
   double min_crossing_m = 0.3;      ///< Regions that touch along less are not adjacent [m].
   /// Something overhead from 1.7 m up to this height above the floor is a lintel and separates the
