@@ -39,9 +39,10 @@ Grid<std::int32_t> squaredDistancesToObstacles(const Grid<std::int8_t>& cells, d
   const int margin = static_cast<int>(std::ceil(reach_cells)) + 1;
   Grid<std::uint8_t> open(cells.box().grown(margin), 1);
   const CellBox& box = cells.box();
-  for (int y = box.min.y; y < box.max.y; ++y)
+  for (int y = box.min.y; y < box.max.y; ++y) {
     for (int x = box.min.x; x < box.max.x; ++x)
       if (cells.at({x, y}) > kFree) open.at({x, y}) = 0;
+  }
   return squaredDistances(open);
 }
 
