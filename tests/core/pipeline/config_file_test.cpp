@@ -54,6 +54,17 @@ TEST(ConfigFile, ValueOutOfRangeNamesKeyValueAndRange) {
             "mine.yaml:3: mapping.occupancy.max_range_m is '-1'; allowed is [0.001, 100000] m");
 }
 
+TEST(ConfigFile, EveryDescriptionOfAParameterStandsOnItsOwn) {
+  PipelineConfig config;
+  for (const Parameter& parameter : parametersOf(config)) {
+    const std::string& text = parameter.description;
+    ASSERT_FALSE(text.empty()) << parameter.key;
+    EXPECT_EQ(text.back(), '.') << parameter.key;
+    for (const char* beginning : {"So ", "Nor ", "Such ", "The same", "Within ", "It ", "Its "})
+      EXPECT_NE(text.rfind(beginning, 0), 0U) << parameter.key << ": " << text;
+  }
+}
+
 TEST(ConfigFile, RuleBetweenTwoKeysNamesBoth) {
   const std::string refusal =
       refusalOf("perception:\n  depth:\n    min_depth_m: 5\n    max_depth_m: 4\n");

@@ -31,7 +31,7 @@ struct PipelineCounts : MapCounts, RoomCounts {
 ///       if (!report.isUsed()) std::cerr << sentenceOn(report.verdict) << '\n';
 ///     }
 ///     pipeline.finish();
-///     for (const Node* room : pipeline.graph().nodes(NodeType::kRoom)) ...
+///     for (const auto& [id, room] : pipeline.graph().nodes(NodeType::kRoom)) ...
 class Pipeline {
  public:
   /// @param decomposer cuts free space into regions; none: the one `config` names.
