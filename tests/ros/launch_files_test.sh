@@ -32,6 +32,22 @@ for launch in "$root"/launch/*.launch "$root"/launch/bringup/*.launch; do
     exit 1
   fi
 done
+# holds COMMAND... TEXT: the command line of a node holds the text.
+holds() {
+  local text=${*: -1}
+  local line
+  line=$("${@:1:$#-1}")
+  if ! grep -qF -- "$text" <<< "$line"; then
+    echo "launch_files_test: '$text' is not in: $line" >&2
+    exit 1
+  fi
+}
+holds roslaunch --args /rviz "$root/launch/bringup/laser_map.launch" rviz:=true map:=/robot/map \
+  "/occusg/free_space:=/robot/map"
+holds roslaunch --args /rviz "$root/launch/bringup/any_camera.launch" rviz:=true rgb_image:=/front/color \
+  depth_image:=/front/depth depth_info:=/front/info "/camera/rgb/image_rect_color:=/front/color"
+holds roslaunch --args /player "$root/launch/replay.launch" "sequence:=/data/my recording" "/data/my recording"
+holds roslaunch --args /bag_player "$root/launch/occusg.launch" "bag:=/data/my drive.bag" "/data/my drive.bag"
 for config in $(grep -l '^regions:' "$root"/config/*.yaml); do
   echo "$config"
   roslaunch --dump-params "$root/launch/occusg.launch" "config:=$config" |
