@@ -6,12 +6,8 @@
 //   agents    offered half a metre apart: how many stay, seconds to save and to load, MiB at the
 //             peak.
 // Usage: saving_benchmark FOLDER [AREA_M2 [AGENTS]]     FOLDER receives map.ot and session/
-#include <sys/stat.h>
-
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
-#include "occusg/error.hpp"
+#include "occusg/io/color_image.hpp"
 #include "occusg_ros/image_conversions.hpp"
 
 namespace occusg_ros {
@@ -35,10 +36,8 @@ std::optional<cv::Mat> RecentColors::at(double stamp_s) const {
       });
   if (nearest == colors_.end() || std::abs(nearest->stamp_s - stamp_s) > kTolerance_s) return {};
   if (nearest->plain) return toColorImage(*nearest->plain, topic_);
-  cv::Mat picture = cv::imdecode(nearest->compressed->data, cv::IMREAD_COLOR);
-  if (picture.empty())
-    throw occusg::refuse(topic_, "a picture cannot be decoded", "JPEG or PNG is needed");
-  return picture;
+  const std::vector<std::uint8_t>& data = nearest->compressed->data;
+  return occusg::decodeColorImage(std::string(data.begin(), data.end()), topic_);
 }
 
 }  // namespace occusg_ros

@@ -67,6 +67,9 @@ bool meet(const LatticeEdge& a, const LatticeEdge& b) {
 }  // namespace
 
 bool hasMoreContactsThan(std::size_t limit, const Paths& paths) {
+  std::size_t count = 0;
+  for (const Path& path : paths) count += path.size();
+  if (count * count / 2 <= limit) return false;  // not so many pairs
   const std::vector<LatticeEdge> edges = edgesFromLeftToRight(paths);
   std::size_t contacts = 0;
   std::size_t comparisons = 0;

@@ -11,13 +11,16 @@
 namespace occusg {
 
 cv::Mat readColorImage(const std::string& path) {
-  constexpr std::size_t kMaxPixels = 100'000'000;
   constexpr std::size_t kMaxBytes = std::size_t{1} << 29U;
-  const std::string bytes = readFile(path, kMaxBytes);
+  return decodeColorImage(readFile(path, kMaxBytes), path);
+}
+
+cv::Mat decodeColorImage(const std::string& bytes, const std::string& where) {
+  constexpr std::size_t kMaxPixels = 100'000'000;
   const PictureKind kind = pictureKind(bytes);
   const bool has_known_size =
       kind == PictureKind::kPng || kind == PictureKind::kBmp || kind == PictureKind::kJpeg;
-  if (has_known_size) checkPictureSize(pictureSize(bytes, kind), kMaxPixels, path);
+  if (has_known_size) checkPictureSize(pictureSize(bytes, kind), kMaxPixels, where);
   const std::vector<unsigned char> buffer(bytes.begin(), bytes.end());
   cv::Mat pixels;
   try {
@@ -26,7 +29,7 @@ cv::Mat readColorImage(const std::string& path) {
     pixels = cv::Mat();
   }
   if (pixels.empty())
-    throw refuse(path, "cannot be decoded", "a complete colour image (PNG, JPEG) is needed");
+    throw refuse(where, "cannot be decoded", "a complete colour image (PNG, JPEG) is needed");
   return pixels;
 }
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/perception/pose_gate.hpp"
 
-#include <string>
-
-#include "occusg/error.hpp"
-
 namespace occusg {
 namespace {
 

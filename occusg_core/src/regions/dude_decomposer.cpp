@@ -5,10 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <set>
-#include <string>
 #include <utility>
 
-#include "occusg/error.hpp"
 #include "regions/dude_holes.hpp"
 
 namespace occusg {

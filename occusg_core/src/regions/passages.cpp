@@ -136,6 +136,12 @@ class Joins {
   std::vector<double> cells_;
 };
 
+/// The labels with those of what has become one alike.
+Grid<std::int32_t> joined(Grid<std::int32_t> labels, const Joins& joins) {
+  for (std::int32_t& label : labels.values()) label = joins.root(label);
+  return labels;
+}
+
 /// The space on both sides of a passage, as far as the two basins that meet there reach.
 class PassageSides {
  public:
@@ -260,9 +266,7 @@ Grid<std::int32_t> joinedAcrossOpenings(const Clearance& clearance,
     }
     if (is_open) joins.join(a, b);
   }
-  Grid<std::int32_t> joined = basins;
-  for (std::int32_t& basin : joined.values()) basin = joins.root(basin);
-  return joined;
+  return joined(basins, joins);
 }
 
 Grid<std::int32_t> withoutNiches(const Clearance& clearance, const Grid<std::int32_t>& regions,
@@ -281,9 +285,7 @@ Grid<std::int32_t> withoutNiches(const Clearance& clearance, const Grid<std::int
       joins.join(a, b);
     }
   }
-  Grid<std::int32_t> joined = regions;
-  for (std::int32_t& region : joined.values()) region = joins.root(region);
-  return joined;
+  return joined(regions, joins);
 }
 
 std::vector<PassageCut> passageCuts(const Clearance& clearance, const Grid<std::int32_t>& basins) {

@@ -9,6 +9,7 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace occusg_ros {
 
@@ -33,7 +34,7 @@ class RecentColors {
   [[nodiscard]] bool mayStillCome(double stamp_s) const;
 
   /// The picture nearest in time, CV_8UC3 in the order BGR; none within the tolerance: empty.
-  /// @throws occusg::Error when it cannot be decoded.
+  /// @throws occusg::Error when it cannot be decoded or is larger than 100 megapixels.
   [[nodiscard]] std::optional<cv::Mat> at(double stamp_s) const;
 
  private:

@@ -61,6 +61,17 @@ TEST(RecentColors, CompressedPicturesAreDecoded) {
   EXPECT_THROW((void)colors.at(12.0), occusg::Error);
 }
 
+TEST(RecentColors, PictureThatUnpacksToGigabytesIsRefusedByItsHeader) {
+  auto bomb = boost::make_shared<sensor_msgs::CompressedImage>(*compressed(10.0, ".png"));
+  for (const std::size_t side : {16U, 20U}) {  // width and height in the header, big endian
+    bomb->data[side] = 0;
+    bomb->data[side + 1] = 1;
+  }
+  RecentColors colors("/rgb/compressed");
+  colors.add(sensor_msgs::CompressedImageConstPtr(bomb));
+  EXPECT_THROW((void)colors.at(10.0), occusg::Error);
+}
+
 TEST(RecentColors, MemoryIsBounded) {
   RecentColors colors("/rgb");
   for (int i = 0; i < 1000; ++i) colors.add(plain(i, 1));

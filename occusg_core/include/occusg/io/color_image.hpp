@@ -12,4 +12,8 @@ namespace occusg {
 /// larger than 100 megapixels.
 [[nodiscard]] cv::Mat readColorImage(const std::string& path);
 
+/// The same of the bytes of such a file.
+/// @param where opens every sentence.
+[[nodiscard]] cv::Mat decodeColorImage(const std::string& bytes, const std::string& where);
+
 }  // namespace occusg
