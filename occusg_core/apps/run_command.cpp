@@ -10,6 +10,7 @@
 #include "interrupt.hpp"
 #include "mask_source.hpp"
 #include "occusg/error.hpp"
+#include "occusg/graph/graph_query.hpp"
 #include "occusg/io/occusg_1_0_file.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
@@ -390,6 +391,8 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
     std::cerr << "occusg: no rooms: "
               << whyNoRooms(pipeline.freeSpace(), smallestRegion_m2(pipeline.config())) << '\n';
   }
+  const std::string doubt = doubtOnLargestRoom(pipeline.graph());
+  if (!doubt.empty()) std::cerr << "occusg: " << doubt << " (--depth-scale)\n";
   printTimes(times);
   printCounts(pipeline.counts());
   if (outcome.frames_known > 0)

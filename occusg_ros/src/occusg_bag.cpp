@@ -19,11 +19,13 @@
 #include <vector>
 
 #include "occusg/error.hpp"
+#include "occusg/graph/graph_query.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/perception/class_names.hpp"
 #include "occusg/perception/onnx_segmenter.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
+#include "occusg/regions/no_rooms.hpp"
 #include "occusg_ros/compressed_depth.hpp"
 #include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/input_health.hpp"
@@ -374,8 +376,13 @@ int process(Options options) {
     if (!run.colorProblem().empty())
       std::cerr << "  the last problem: " << run.colorProblem() << '\n';
   }
-  const std::string doubt = run.doubt();
-  if (!doubt.empty()) std::cerr << "occusg_bag: " << doubt << '\n';
+  if (pipeline.graph().nodes(occusg::NodeType::kRoom).empty()) {
+    std::cerr << "occusg_bag: no rooms: "
+              << whyNoRooms(pipeline.freeSpace(), smallestRegion_m2(pipeline.config())) << '\n';
+  }
+  for (const std::string& doubt : {run.doubt(), doubtOnLargestRoom(pipeline.graph())}) {
+    if (!doubt.empty()) std::cerr << "occusg_bag: " << doubt << '\n';
+  }
   return 2 * counts.used >= counts.received && counts.used > 0 ? 0 : 1;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "occusg/error.hpp"
+#include "occusg/graph/graph_query.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/regions/no_rooms.hpp"
 #include "occusg_ros/gap_conversions.hpp"
@@ -475,6 +476,9 @@ void SceneGraphNode::noteStatus() {
   const std::size_t rooms = rooms_->graph().nodes(NodeType::kRoom).size();
   const std::string why_none =
       rooms == 0 ? occusg::whyNoRooms(layer_, occusg::smallestRegion_m2(config_)) : "";
+  const std::string doubt = doubtOnLargestRoom(rooms_->graph());
+  if (!doubt.empty() && !has_doubted_size_) ROS_WARN_STREAM(handles_.name << ": " << doubt);
+  has_doubted_size_ = has_doubted_size_ || !doubt.empty();
   const std::lock_guard<std::mutex> lock(mutex_);
   status_.counts = rooms_->counts();
   status_.rooms = rooms;

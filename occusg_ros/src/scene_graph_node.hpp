@@ -179,6 +179,7 @@ class SceneGraphNode {
   std::optional<double> last_maintenance_s_;
   occusg::Pose last_pose_ = occusg::Pose::Identity();
   double last_status_s_ = 0.0;  ///< Steady clock [s].
+  bool has_doubted_size_ = false;
   std::uint64_t sequence_saved_ = 0;
   SavedGenerations generations_;
   Saver saver_;

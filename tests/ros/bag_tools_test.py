@@ -133,6 +133,7 @@ class BagToolsTest(unittest.TestCase):
         self.assert_gives_the_same_rooms("of_quarters", path, "--depth-scale", "4000")
         unscaled = run(BAG, path, "-o", os.path.join(WORK, "unscaled"))
         self.assertRegex(unscaled.stderr, r"the lowest floor that was seen is at z = -\d+\.\d m.*--depth-scale")
+        self.assertRegex(unscaled.stderr, r"room_\d+ has \d+ m2, more than any room of a flat")
         self.assertNotIn("floor", run(BAG, path, "-o", os.path.join(WORK, "scaled"), "--depth-scale", "4000").stderr)
         self.assertIn("--depth-scale", self.refused(BAG, path, "-o", os.path.join(WORK, "never"), "--depth-scale", "0"))
 

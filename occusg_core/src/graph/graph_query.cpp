@@ -17,6 +17,7 @@
 namespace occusg {
 namespace {
 
+constexpr double kLargestRoomOfAFlat_m2 = 150.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::optional<NodeId> nodeFor(const SceneGraph& graph, const Point2& point, double max_reach_m) {
@@ -177,6 +178,18 @@ RoomsOnTheWay roomsAlong(const SceneGraph& graph, const std::vector<Point2>& poi
     way.rooms.push_back(*room);
   }
   return way;
+}
+
+std::string doubtOnLargestRoom(const SceneGraph& graph) {
+  const RoomAttributes* largest = nullptr;
+  for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
+    const auto& room = std::get<RoomAttributes>(node.attributes);
+    if (!largest || room.area_m2 > largest->area_m2) largest = &room;
+  }
+  if (!largest || largest->area_m2 <= kLargestRoomOfAFlat_m2) return "";
+  return largest->name + " has " + std::to_string(std::lround(largest->area_m2)) +
+         " m2, more than any room of a flat: if the building has no such hall, check the unit of "
+         "the depth images or the resolution of the map";
 }
 
 std::optional<Route> shortestRoute(const SceneGraph& graph, const Point2& from, const Point2& to,

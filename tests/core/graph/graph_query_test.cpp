@@ -56,6 +56,18 @@ class Flat : public ::testing::Test {
   std::vector<NodeId> nodes_;
 };
 
+TEST_F(Flat, RoomsOfUsualSizeGiveNoDoubt) { EXPECT_EQ(doubtOnLargestRoom(graph_), ""); }
+
+TEST_F(Flat, RoomLargerThanAnyOfAFlatIsNamedWithItsArea) {
+  RoomAttributes hall;
+  hall.name = "room_7";
+  hall.area_m2 = 183.2;
+  graph_.add({50.0, 50.0, 0.0}, 0.0, hall);
+  EXPECT_EQ(doubtOnLargestRoom(graph_),
+            "room_7 has 183 m2, more than any room of a flat: if the building has no such hall, "
+            "check the unit of the depth images or the resolution of the map");
+}
+
 TEST_F(Flat, RoomAtAPointIsTheOneThatHoldsIt) {
   EXPECT_EQ(roomAt(graph_, {1.0, 1.0}), rooms_[0]);
   EXPECT_EQ(roomAt(graph_, {9.0, 1.0}), rooms_[2]);

@@ -42,6 +42,11 @@ struct AdjacentRoom {
 /// The rooms beside a room and the doors to them, by id. Empty when there is no such room.
 [[nodiscard]] std::vector<AdjacentRoom> adjacentRooms(const SceneGraph& graph, NodeId room);
 
+/// What looks wrong with the largest room, as a sentence: no room of a flat has more than 150 m2,
+/// so either the building has a hall or the unit of its measurements is wrong. Empty when no room
+/// is that large.
+[[nodiscard]] std::string doubtOnLargestRoom(const SceneGraph& graph);
+
 /// What a way leads through.
 struct RoomsOnTheWay {
   std::vector<NodeId> rooms;  ///< In the order they are entered.
