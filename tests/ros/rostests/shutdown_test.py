@@ -227,10 +227,6 @@ class ShutdownTest(unittest.TestCase):
         self.feed_map(diagnostics, 1.0, 2.0)
         session = os.path.join(folder, "last", "session", "session.json")
         wait_until(lambda: os.path.exists(session), 30, "the session is saved")
-        # The loader notices that its manager is gone once the two have exchanged heartbeats.
-        heartbeats = []
-        rospy.Subscriber("/occusg/manager/bond", rospy.AnyMsg, heartbeats.append)
-        wait_until(lambda: len(heartbeats) >= 6, 30, "the nodelet and its manager know each other")
         subprocess.check_call(["pkill", "-KILL", "-P", str(launch.pid), "-f", "nodelet manager"])
         wait_until(lambda: log.said("goes on from the session", folder), 60, "the graph goes on")
         rooms = rospy.ServiceProxy("/occusg/list_rooms", ListRooms)
@@ -240,6 +236,24 @@ class ShutdownTest(unittest.TestCase):
             self.robot.send_pose(rospy.Time.now(), 1.0, 2.0)
             return len(rooms(0.0).rooms) == 2
         wait_until(two_are_found, 30, "both rooms are there again")
+        self.end(launch, signal.SIGINT)
+
+    def test_failure_mode_19_manager_killed_again_and_again_while_it_starts_comes_back(self):
+        folder = tempfile.mkdtemp(prefix="occusg_starting_manager_test_")
+        launch = subprocess.Popen([
+            "roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map", "mapping:=false",
+            "save_folder:=" + folder])
+
+        def managers():
+            found = subprocess.run(["pgrep", "-P", str(launch.pid), "-f", "nodelet manager"], stdout=subprocess.PIPE)
+            return found.stdout.split()
+        for service in ("/occusg/manager/load_nodelet", "/occusg/list_rooms", "/occusg/manager/list"):
+            rospy.wait_for_service(service, 30)
+            killed = managers()
+            os.kill(int(killed[0]), signal.SIGKILL)
+            wait_until(lambda: managers() and managers() != killed, 30, "the manager is started again")
+        rospy.wait_for_service("/occusg/list_rooms", 30)
+        self.feed_map(Diagnostics("occusg/scene_graph: scene graph"), 1.0, 2.0)
         self.end(launch, signal.SIGINT)
 
     @staticmethod
