@@ -20,6 +20,9 @@ namespace {
 
 const ros::WallDuration kPeriod(0.2);
 const ros::WallDuration kPatience(5.0);
+/// Between losing a nodelet and loading it again. Subscribers that have not noticed yet that its
+/// topics were gone would take the new ones, which have the same address, for those they hear.
+const ros::WallDuration kPause(1.0);
 
 volatile std::sig_atomic_t is_asked_to_end = 0;
 
@@ -96,11 +99,17 @@ class ManagedNodelet {
         continue;
       }
       while (goesOn() && isLoaded()) kPeriod.sleep();
-      if (goesOn())
-        ROS_WARN_STREAM(name_ << ": is no longer in " << manager_ << "; it is loaded again");
+      if (!goesOn()) break;
+      ROS_WARN_STREAM(name_ << ": is no longer in " << manager_ << "; it is loaded again");
+      pause();
     }
     if (hasManager()) unload();
     return true;
+  }
+
+  static void pause() {
+    const ros::SteadyTime end = ros::SteadyTime::now() + kPause;
+    while (goesOn() && ros::SteadyTime::now() < end) kPeriod.sleep();
   }
 
   [[nodiscard]] std::string refusal() const {

@@ -16,8 +16,6 @@ extern "C" void shutDown(int /*signal*/) { ros::requestShutdown(); }
 int main(int argc, char** argv) {
   ros::init(argc, argv, OCCUSG_NODELET);
   std::signal(SIGTERM, shutDown);
-  // Several threads, so that a service that waits does not keep images waiting.
-  if (!ros::param::has("~num_worker_threads")) ros::param::set("~num_worker_threads", 4);
   nodelet::Loader loader;
   const nodelet::V_string arguments(argv + 1, argv + argc);
   const bool loaded =

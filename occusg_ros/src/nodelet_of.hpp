@@ -3,8 +3,10 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <nodelet/nodelet.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -34,13 +36,29 @@ class FailedNode {
   ros::WallTimer timer_;
 };
 
-/// `Node` in a manager of nodelets, or alone in a process of its own.
+/// `Node` in a manager of nodelets, or alone in a process of its own. Its callbacks run on threads
+/// of its own and not on the manager's: a manager that unloads a nodelet while one of its threads
+/// runs a callback of it destroys the callback queues first, and the nodelet would end with queues
+/// that are gone (nodelet_core 1.10, `ManagedNodelet`).
 template <typename Node>
 class NodeletOf : public nodelet::Nodelet {
+ public:
+  NodeletOf() = default;
+  NodeletOf(const NodeletOf&) = delete;
+  NodeletOf& operator=(const NodeletOf&) = delete;
+  NodeletOf(NodeletOf&&) = delete;
+  NodeletOf& operator=(NodeletOf&&) = delete;
+  ~NodeletOf() override {
+    node_.reset();
+    failed_.reset();
+  }
+
  private:
   void onInit() override {
-    const NodeHandles handles{getNodeHandle(), getMTNodeHandle(), getPrivateNodeHandle(),
-                              getMTPrivateNodeHandle(), getName()};
+    const NodeHandles handles{onQueue(getNodeHandle(), inputs_),
+                              onQueue(getNodeHandle(), services_),
+                              onQueue(getPrivateNodeHandle(), inputs_),
+                              onQueue(getPrivateNodeHandle(), services_), getName()};
     try {
       node_ = std::make_unique<Node>(handles);
     } catch (const occusg::Error& error) {
@@ -49,8 +67,21 @@ class NodeletOf : public nodelet::Nodelet {
       if (is_alone) throw;  // the process ends
       failed_ = std::make_unique<FailedNode>(handles, error.what());
     }
+    input_thread_.start();
+    service_threads_.start();
   }
 
+  [[nodiscard]] static ros::NodeHandle onQueue(ros::NodeHandle handle, ros::CallbackQueue& queue) {
+    handle.setCallbackQueue(&queue);
+    return handle;
+  }
+
+  static constexpr std::uint32_t kServiceThreads = 4;
+
+  ros::CallbackQueue inputs_;
+  ros::CallbackQueue services_;
+  ros::AsyncSpinner input_thread_{1, &inputs_};
+  ros::AsyncSpinner service_threads_{kServiceThreads, &services_};
   std::unique_ptr<Node> node_;
   std::unique_ptr<FailedNode> failed_;
 };

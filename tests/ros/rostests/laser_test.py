@@ -213,8 +213,14 @@ class LaserTest(unittest.TestCase):
         started = time.monotonic()
         self.assertTrue(unload("/occusg/scene_graph").success)
         self.assertLess(time.monotonic() - started, 2.0)
-        # Its loader ends with it; roslaunch starts it again.
         wait_until(lambda: "/occusg/scene_graph" in listed().nodelets, 30, "it is loaded again")
+        # While maps arrive: a manager may unload a nodelet in the middle of one of its callbacks.
+        for _ in range(3):
+            wait_until(lambda: len(self.rooms()) == 2, 30, "two rooms again")
+            for _ in range(20):
+                self.map_publisher.publish(two_rooms(rospy.Time.now()))
+            unload("/occusg/scene_graph")
+            wait_until(lambda: "/occusg/scene_graph" in listed().nodelets, 30, "it is loaded again")
         wait_until(lambda: len(self.rooms()) == 2, 30, "two rooms again")
 
     def test_zz_pause_and_reset(self):
