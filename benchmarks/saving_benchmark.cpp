@@ -13,7 +13,7 @@
 #include <string>
 
 #include "generated_building.hpp"
-#include "occusg/graph/agent_layer.hpp"
+#include "graph/agent_layer.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/session_folder.hpp"

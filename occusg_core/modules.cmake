@@ -44,6 +44,7 @@ occusg_add_module(mapping
     frame_voxels.cpp
     free_space_cells.cpp
     free_space_layer.cpp
+    free_space_projection.cpp
     lattice_projection.cpp
     layer_without_rays.cpp
     local_floor.cpp
@@ -66,6 +67,7 @@ if(OCCUSG_WITH_DUDE)
     dude_candidates.cpp
     dude_clearance.cpp
     dude_decomposer.cpp
+    dude_division.cpp
     dude_holes.cpp
     dude_mask.cpp
     dude_mesh.cpp

@@ -10,11 +10,11 @@
 #include <optional>
 
 #include "batch_options.hpp"
+#include "io/file_bytes.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/output_folder.hpp"
-#include "occusg/report/report_page.hpp"
-#include "occusg/report/results_files.hpp"
+#include "report/report_page.hpp"
+#include "report/results_files.hpp"
 
 namespace occusg::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "command_line.hpp"
-#include "occusg/report/scene_result.hpp"
+#include "report/scene_result.hpp"
 
 namespace occusg::apps {
 

@@ -18,11 +18,11 @@
 #include "batch_results.hpp"
 #include "child_process.hpp"
 #include "interrupt.hpp"
+#include "io/external_rooms.hpp"
+#include "io/file_bytes.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/external_rooms.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/output_folder.hpp"
-#include "occusg/report/scene_folder.hpp"
+#include "report/scene_folder.hpp"
 
 namespace occusg::apps {
 namespace {

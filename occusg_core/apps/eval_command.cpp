@@ -7,12 +7,12 @@
 
 #include "batch_options.hpp"
 #include "command_line.hpp"
+#include "evaluation/truth_check.hpp"
+#include "io/external_rooms.hpp"
+#include "io/label_picture.hpp"
 #include "occusg/error.hpp"
 #include "occusg/evaluation/metrics_json.hpp"
 #include "occusg/evaluation/room_metrics.hpp"
-#include "occusg/evaluation/truth_check.hpp"
-#include "occusg/io/external_rooms.hpp"
-#include "occusg/io/label_picture.hpp"
 #include "occusg/io/rooms_file.hpp"
 #include "output_file.hpp"
 

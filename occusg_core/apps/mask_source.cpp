@@ -7,7 +7,7 @@
 #include "occusg/io/color_image.hpp"
 #include "occusg/io/object_labels.hpp"
 #include "occusg/perception/detection_builder.hpp"
-#include "occusg/perception/label_image.hpp"
+#include "occusg/perception/instance_mask.hpp"
 
 namespace occusg::apps {
 namespace {

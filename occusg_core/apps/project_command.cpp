@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "io/overview_picture.hpp"
+#include "mapping/layer_without_rays.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
-#include "occusg/io/overview_picture.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
-#include "occusg/mapping/layer_without_rays.hpp"
 #include "occusg/pipeline/config_file.hpp"
 
 namespace occusg::apps {

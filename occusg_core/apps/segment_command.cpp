@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "io/decomposition_drawing.hpp"
+#include "io/label_picture.hpp"
+#include "io/overview_picture.hpp"
+#include "io/rooms_geojson.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/decomposition_drawing.hpp"
-#include "occusg/io/label_picture.hpp"
 #include "occusg/io/map_reader.hpp"
 #include "occusg/io/output_folder.hpp"
-#include "occusg/io/overview_picture.hpp"
-#include "occusg/io/rooms_geojson.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/pipeline/results.hpp"
 #include "occusg/regions/no_rooms.hpp"

@@ -9,8 +9,8 @@
 
 #include "command_line.hpp"
 #include "graph_question.hpp"
+#include "io/result_index.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/result_index.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 
 namespace occusg::apps {

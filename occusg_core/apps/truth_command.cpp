@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "command_line.hpp"
-#include "occusg/io/house_file.hpp"
+#include "io/house_file.hpp"
 #include "output_file.hpp"
 
 namespace occusg::apps {

@@ -2,7 +2,7 @@
 #include "recorded_detections.hpp"
 
 #include "occusg/io/object_labels.hpp"
-#include "occusg/perception/label_image.hpp"
+#include "occusg/perception/instance_mask.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 
 namespace occusg_ros {

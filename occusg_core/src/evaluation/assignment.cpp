@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/evaluation/assignment.hpp"
+#include "evaluation/assignment.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/evaluation/boundary_f1.hpp"
+#include "evaluation/boundary_f1.hpp"
 
 #include <algorithm>
 #include <array>

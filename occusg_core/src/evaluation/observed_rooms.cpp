@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/evaluation/observed_rooms.hpp"
+#include "evaluation/observed_rooms.hpp"
 
 #include <algorithm>
 #include <cmath>

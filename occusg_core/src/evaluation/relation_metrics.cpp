@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "occusg/evaluation/assignment.hpp"
+#include "evaluation/assignment.hpp"
 
 namespace occusg {
 namespace {

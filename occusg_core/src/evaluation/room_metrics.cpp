@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
+#include "evaluation/assignment.hpp"
+#include "evaluation/boundary_f1.hpp"
 #include "occusg/error.hpp"
-#include "occusg/evaluation/assignment.hpp"
-#include "occusg/evaluation/boundary_f1.hpp"
 
 namespace occusg {
 namespace {

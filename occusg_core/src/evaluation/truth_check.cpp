@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/evaluation/truth_check.hpp"
+#include "evaluation/truth_check.hpp"
 
 #include <algorithm>
 #include <cstddef>

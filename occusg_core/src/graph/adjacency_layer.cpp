@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/adjacency_layer.hpp"
+#include "graph/adjacency_layer.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/agent_layer.hpp"
+#include "graph/agent_layer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/class_key.hpp"
+#include "graph/class_key.hpp"
 
 namespace occusg {
 

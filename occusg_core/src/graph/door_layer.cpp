@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/door_layer.hpp"
+#include "graph/door_layer.hpp"
 
 #include <algorithm>
 #include <cstddef>

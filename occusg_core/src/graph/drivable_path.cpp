@@ -13,9 +13,9 @@
 #include <set>
 #include <tuple>
 
+#include "mapping/cells_on_line.hpp"
 #include "occusg/error.hpp"
 #include "occusg/geometry/grid.hpp"
-#include "occusg/mapping/cells_on_line.hpp"
 #include "regions/squared_distance.hpp"
 
 namespace occusg {

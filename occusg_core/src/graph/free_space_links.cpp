@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/free_space_links.hpp"
+#include "graph/free_space_links.hpp"
 
 #include <set>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/ghost_check.hpp"
+#include "graph/ghost_check.hpp"
 
 #include <octomap/OcTree.h>
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parameters of this module: names, units, ranges, what they mean, and the paper's values.
-#include "occusg/graph/agent_layer.hpp"
-#include "occusg/graph/graph_builder.hpp"
+#include "occusg/graph/graph_config.hpp"
 #include "occusg/graph/limits.hpp"
-#include "occusg/graph/navigation_layer.hpp"
-#include "occusg/graph/object_layer.hpp"
-#include "occusg/graph/room_layer.hpp"
 
 namespace occusg {
 namespace {

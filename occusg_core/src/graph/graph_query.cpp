@@ -11,8 +11,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "graph/class_key.hpp"
 #include "occusg/error.hpp"
-#include "occusg/graph/class_key.hpp"
 
 namespace occusg {
 namespace {

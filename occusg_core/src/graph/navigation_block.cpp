@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/navigation_block.hpp"
+#include "graph/navigation_block.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/navigation_layer.hpp"
+#include "graph/navigation_layer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "mapping/cells_on_line.hpp"
 #include "occusg/error.hpp"
-#include "occusg/mapping/cells_on_line.hpp"
 
 namespace occusg {
 namespace {

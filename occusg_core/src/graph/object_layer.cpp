@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/object_layer.hpp"
+#include "graph/object_layer.hpp"
 
 #include <octomap/OcTree.h>
 
@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "occusg/graph/class_key.hpp"
-#include "occusg/graph/ghost_check.hpp"
+#include "graph/class_key.hpp"
+#include "graph/ghost_check.hpp"
 #include "occusg/graph/limits.hpp"
 
 namespace occusg {

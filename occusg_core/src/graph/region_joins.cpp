@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/region_joins.hpp"
+#include "graph/region_joins.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/region_snapshot.hpp"
+#include "graph/region_snapshot.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/relinking.hpp"
+#include "graph/relinking.hpp"
 
 #include <algorithm>
 #include <optional>

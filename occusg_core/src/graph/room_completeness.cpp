@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/room_completeness.hpp"
+#include "graph/room_completeness.hpp"
 
 #include <algorithm>
 #include <cmath>

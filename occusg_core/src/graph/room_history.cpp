@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/room_history.hpp"
+#include "graph/room_history.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/room_labels.hpp"
+#include "graph/room_labels.hpp"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
+#include "graph/class_key.hpp"
 #include "occusg/error.hpp"
-#include "occusg/graph/class_key.hpp"
 
 namespace occusg {
 namespace {

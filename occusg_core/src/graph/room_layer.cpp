@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/room_layer.hpp"
+#include "graph/room_layer.hpp"
 
 #include <iterator>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "occusg/graph/interior_point.hpp"
+#include "graph/interior_point.hpp"
 
 namespace occusg {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/seen_apart.hpp"
+#include "graph/seen_apart.hpp"
 
 namespace occusg {
 
-SeenApart::SeenApart(const Pairs& pairs) {
+SeenApart::SeenApart(const ObjectPairCounts& pairs) {
   for (const auto& [ids, frames] : pairs) {
     frames_[ids.first][ids.second] = frames;
     frames_[ids.second][ids.first] = frames;
@@ -45,8 +45,8 @@ void SeenApart::erase(NodeId id) {
   frames_.erase(id);
 }
 
-SeenApart::Pairs SeenApart::pairs() const {
-  Pairs pairs;
+ObjectPairCounts SeenApart::pairs() const {
+  ObjectPairCounts pairs;
   for (const auto& [id, row] : frames_) {
     for (const auto& [other, frames] : row)
       if (id < other) pairs.emplace(std::pair(id, other), frames);

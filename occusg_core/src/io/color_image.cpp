@@ -4,9 +4,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "io/file_bytes.hpp"
 #include "io/picture_size.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/decomposition_drawing.hpp"
+#include "io/decomposition_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "geometry/cell_outline.hpp"
 #include "io/canvas.hpp"
 #include "io/json_text.hpp"
 #include "io/map_drawing.hpp"
 #include "io/overview_view.hpp"
-#include "occusg/geometry/cell_outline.hpp"
 #include "regions/dude_pockets.hpp"
 
 namespace occusg {

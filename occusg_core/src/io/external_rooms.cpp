@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/external_rooms.hpp"
+#include "io/external_rooms.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

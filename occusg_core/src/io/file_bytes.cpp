@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/file_bytes.hpp"
+#include "io/file_bytes.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/graphml_file.hpp"
+#include "io/graphml_file.hpp"
 
 #include <cstddef>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/house_file.hpp"
+#include "io/house_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include <sstream>
 #include <utility>
 
+#include "io/file_bytes.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
 #include "occusg/geometry/polygon_overlap.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/label_picture.hpp"
+#include "io/label_picture.hpp"
 
 #include <cmath>
 #include <map>
 #include <opencv2/core/mat.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "geometry/cell_outline.hpp"
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
+#include "io/overview_picture.hpp"
 #include "occusg/error.hpp"
-#include "occusg/geometry/cell_outline.hpp"
-#include "occusg/io/file_bytes.hpp"
-#include "occusg/io/overview_picture.hpp"
 #include "occusg/io/png_check.hpp"
 #include "occusg/io/rooms_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/label_placement.hpp"
+#include "io/label_placement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "io/file_bytes.hpp"
 #include "io/picture_size.hpp"
 #include "io/portable_map.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/png_check.hpp"
 
 namespace occusg {

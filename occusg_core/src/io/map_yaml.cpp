@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <sstream>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/png_check.hpp"
 
 namespace occusg {

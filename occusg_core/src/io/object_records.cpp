@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/object_records.hpp"
+#include "io/object_records.hpp"
 
 #include <cstdint>
 #include <map>

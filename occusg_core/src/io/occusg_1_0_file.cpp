@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/occusg_1_0_file.hpp"
+#include "io/occusg_1_0_file.hpp"
 
 #include <algorithm>
 #include <cstddef>

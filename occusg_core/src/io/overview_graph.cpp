@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "occusg/io/overview_picture.hpp"
+#include "io/overview_picture.hpp"
 
 namespace occusg {
 namespace {

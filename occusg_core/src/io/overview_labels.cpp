@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "io/json_text.hpp"
-#include "occusg/io/label_placement.hpp"
+#include "io/label_placement.hpp"
 
 namespace occusg {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/overview_picture.hpp"
+#include "io/overview_picture.hpp"
 
 #include <algorithm>
 #include <cmath>

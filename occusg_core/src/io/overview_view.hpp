@@ -4,8 +4,8 @@
 #include <opencv2/core/types.hpp>
 #include <optional>
 
+#include "io/overview_picture.hpp"
 #include "occusg/geometry/polygon.hpp"
-#include "occusg/io/overview_picture.hpp"
 
 namespace occusg {
 

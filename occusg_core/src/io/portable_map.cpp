@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "io/file_bytes.hpp"
 #include "io/picture_size.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

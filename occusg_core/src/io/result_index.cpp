@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/result_index.hpp"
+#include "io/result_index.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

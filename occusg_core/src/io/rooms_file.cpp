@@ -5,10 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "io/polygon_json.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/rooms_geojson.hpp"
+#include "io/rooms_geojson.hpp"
 
 #include <nlohmann/json.hpp>
 #include <utility>

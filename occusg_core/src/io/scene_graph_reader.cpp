@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "io/file_bytes.hpp"
 #include "io/graph_json.hpp"
 #include "io/json_text.hpp"
 #include "io/polygon_json.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 
 namespace occusg {

@@ -7,10 +7,10 @@
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "io/recordings/recording.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/png_check.hpp"
 
 namespace occusg {

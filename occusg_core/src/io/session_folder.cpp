@@ -13,12 +13,12 @@
 #include <system_error>
 #include <utility>
 
+#include "io/file_bytes.hpp"
 #include "io/folder_exchange.hpp"
 #include "io/part_file.hpp"
 #include "io/session_json.hpp"
 #include "io/session_parts.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/scene_graph_file.hpp"

@@ -69,7 +69,7 @@ json pairsOf(const std::map<Key, Value>& values) {
 }
 
 /// [[object, object, frames], ...]
-json seenApartOf(const SeenApart::Pairs& pairs) {
+json seenApartOf(const ObjectPairCounts& pairs) {
   json list = json::array();
   for (const auto& [ids, frames] : pairs)
     list.push_back(json::array({ids.first, ids.second, frames}));
@@ -177,9 +177,9 @@ int countOf(const json& value, const std::string& where) {
   return count;
 }
 
-SeenApart::Pairs seenApartIn(const json& list, const std::string& where) {
+ObjectPairCounts seenApartIn(const json& list, const std::string& where) {
   checkCount(list, where);
-  SeenApart::Pairs pairs;
+  ObjectPairCounts pairs;
   for (const json& entry : list) {
     if (arrayOf(entry, where).size() != 3)
       throw refuse(where, "has an entry that is no triple", "[object, object, frames] is needed");

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "occusg/io/file_mark.hpp"
-#include "occusg/io/session_state.hpp"
+#include "io/file_mark.hpp"
+#include "occusg/graph/graph_state.hpp"
 
 namespace occusg {
 

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "io/session_parts.hpp"
 #include "occusg/error.hpp"
 #include "occusg/graph/limits.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/spark_dsg_file.hpp"
+#include "io/spark_dsg_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <locale>
 #include <sstream>
 
+#include "io/file_bytes.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

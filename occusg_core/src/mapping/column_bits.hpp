@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "occusg/mapping/voxel_run.hpp"
+#include "mapping/voxel_run.hpp"
 
 namespace occusg {
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "mapping/far_islands.hpp"
 #include "mapping/frame_carver.hpp"
 #include "mapping/frame_rays.hpp"
 #include "mapping/frame_voxels.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/perception/label_image.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "occusg/error.hpp"
+#include "occusg/perception/instance_mask.hpp"
 
 namespace occusg {
 namespace {

@@ -13,9 +13,9 @@
 
 #include "occusg/error.hpp"
 #include "occusg/perception/camera_model.hpp"
-#include "occusg/perception/letterbox.hpp"
-#include "occusg/perception/yolo_output.hpp"
+#include "perception/letterbox.hpp"
 #include "perception/onnx_signature.hpp"
+#include "perception/yolo_output.hpp"
 
 namespace occusg {
 namespace {

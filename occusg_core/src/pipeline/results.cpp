@@ -7,14 +7,14 @@
 #include <ostream>
 #include <sstream>
 
-#include "occusg/io/graphml_file.hpp"
+#include "io/graphml_file.hpp"
+#include "io/overview_picture.hpp"
+#include "io/result_index.hpp"
+#include "io/rooms_geojson.hpp"
+#include "io/spark_dsg_file.hpp"
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
-#include "occusg/io/overview_picture.hpp"
-#include "occusg/io/result_index.hpp"
-#include "occusg/io/rooms_geojson.hpp"
 #include "occusg/io/scene_graph_file.hpp"
-#include "occusg/io/spark_dsg_file.hpp"
 
 namespace occusg {
 namespace {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/pipeline/room_labels_file.hpp"
+#include "pipeline/room_labels_file.hpp"
 
 #include <cstddef>
 #include <locale>
 #include <optional>
 #include <sstream>
 
+#include "graph/class_key.hpp"
+#include "graph/room_labels.hpp"
+#include "io/file_bytes.hpp"
 #include "occusg/error.hpp"
-#include "occusg/graph/class_key.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/parameter.hpp"
 
 namespace occusg {

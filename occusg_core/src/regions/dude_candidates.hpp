@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 #include "occusg/geometry/grid.hpp"
 #include "regions/dude_mesh.hpp"
 #include "regions/dude_symmetry.hpp"

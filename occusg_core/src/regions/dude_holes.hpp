@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 
 namespace occusg {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_mask.hpp"
+#include "regions/dude_mask.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 
 namespace occusg {
 

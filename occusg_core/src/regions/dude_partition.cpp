@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_partition.hpp"
+#include "regions/dude_partition.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_regions.hpp"
+#include "regions/dude_regions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 
 namespace occusg {
 namespace {

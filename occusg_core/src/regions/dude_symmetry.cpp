@@ -20,7 +20,7 @@ bool isBefore(const CellOutline& a, const CellOutline& b) {
       [](const CornerRing& left, const CornerRing& right) { return isBefore(left, right); });
 }
 
-CellBox boundsOf(const CornerRing& ring) {
+CellBox boundsOfRing(const CornerRing& ring) {
   CellBox box;
   for (const Cell& corner : ring) box = box.including(corner);
   return box;
@@ -90,12 +90,12 @@ GridSymmetry GridSymmetry::shifted(const Cell& shift) const {
 }
 
 GridSymmetry canonicalSymmetry(const CellOutline& outline) {
-  const CellBox bounds = boundsOf(outline.outer);
+  const CellBox bounds = boundsOfRing(outline.outer);
   GridSymmetry best;
   CellOutline best_image;
   for (int number = 0; number < kSymmetries; ++number) {
     const GridSymmetry turned(number);
-    // boundsOf() holds corners as if they were cells; only its lower left is used.
+    // boundsOfRing() holds corners as if they were cells; only its lower left is used.
     const Cell a = turned.corner(bounds.min);
     const Cell b = turned.corner({bounds.max.x - 1, bounds.max.y - 1});
     const GridSymmetry candidate = turned.shifted({-std::min(a.x, b.x), -std::min(a.y, b.y)});

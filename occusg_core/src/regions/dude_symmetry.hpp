@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 
 namespace occusg {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/dude_trace.hpp"
-
 #include "occusg/regions/dude_decomposer.hpp"
+#include "regions/dude_division.hpp"
 #include "regions/dude_pockets.hpp"
 
 namespace occusg {
@@ -26,7 +25,7 @@ void addBridges(const CornerRing& ring, const GridFrame& frame, DudeTrace& trace
 
 }  // namespace
 
-DudeTrace DudeDecomposer::trace() const {
+DudeTrace DudeDivision::trace() const {
   const GridFrame& frame = regions_.decomposition().frame;
   DudeTrace trace;
   const DudeMask mask = dudeMask(open_, config_.max_ignored_hole_m / frame.resolution_m,

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 #include "regions/contacts.hpp"
 
 namespace occusg {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "occusg/geometry/polygon_overlap.hpp"
+#include "regions/acceptance_guard.hpp"
 
 namespace occusg {
 namespace {
@@ -72,10 +73,14 @@ Decomposition renamed(const Decomposition& decomposition, const std::vector<int>
 }  // namespace
 
 RegionTracker::RegionTracker(const RegionTrackerConfig& config)
-    : config_(checked(config)), guard_(config.guard) {}
+    : config_(checked(config)), guard_(std::make_unique<AcceptanceGuard>(config.guard)) {}
+
+RegionTracker::RegionTracker(RegionTracker&&) noexcept = default;
+RegionTracker& RegionTracker::operator=(RegionTracker&&) noexcept = default;
+RegionTracker::~RegionTracker() = default;
 
 const TrackedRegions& RegionTracker::update(const Decomposition& decomposition) {
-  tracked_.stale = !guard_.accept(decomposition);
+  tracked_.stale = !guard_->accept(decomposition);
   if (tracked_.stale) return tracked_;
   const std::vector<int> ids = assign(decomposition.regions);
   noteChanges(decomposition.regions, ids);

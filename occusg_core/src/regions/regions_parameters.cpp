@@ -2,10 +2,10 @@
 // The parameters of this module: names, units, ranges, what they mean, and the paper's values.
 #include <limits>
 
-#include "occusg/regions/acceptance_guard.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
 #include "occusg/regions/dude_decomposer.hpp"
 #include "occusg/regions/region_tracker.hpp"
+#include "regions/acceptance_guard.hpp"
 
 namespace occusg {
 namespace {

@@ -5,6 +5,9 @@
 #include "regions/dude_pockets.hpp"
 
 namespace occusg {
+
+class DudeDivision {};
+
 namespace {
 
 Error absent() {
@@ -21,7 +24,11 @@ const Decomposition& DudeDecomposer::update(const FreeSpace& /*layer*/,
   throw absent();
 }
 
+DudeDecomposer::~DudeDecomposer() = default;
+
 void DudeDecomposer::reset() {}
+
+const DudeCounters& DudeDecomposer::counters() const { throw absent(); }
 
 std::vector<DudeBridge> pocketTree(const CornerRing& /*ring*/, double /*min_depth_cells*/,
                                    int /*max_levels*/) {

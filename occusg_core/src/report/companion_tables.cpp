@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "occusg/evaluation/score_estimates.hpp"
+#include "evaluation/score_estimates.hpp"
 #include "report/html_text.hpp"
 #include "report/report_cells.hpp"
 #include "report/report_tables.hpp"

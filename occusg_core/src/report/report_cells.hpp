@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
-#include "occusg/evaluation/score_estimates.hpp"
-#include "occusg/report/scene_result.hpp"
+#include "evaluation/score_estimates.hpp"
 #include "report/html_text.hpp"
+#include "report/scene_result.hpp"
 
 namespace occusg {
 

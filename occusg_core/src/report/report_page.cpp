@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/report/report_page.hpp"
+#include "report/report_page.hpp"
 
 #include "report/html_text.hpp"
 #include "report/report_pictures.hpp"

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "occusg/evaluation/score_estimates.hpp"
+#include "evaluation/score_estimates.hpp"
 #include "report/html_text.hpp"
 #include "report/report_cells.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/report/results_files.hpp"
+#include "report/results_files.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "evaluation/score_estimates.hpp"
 #include "io/json_text.hpp"
 #include "occusg/evaluation/metrics_json.hpp"
-#include "occusg/evaluation/score_estimates.hpp"
 
 namespace occusg {
 namespace {

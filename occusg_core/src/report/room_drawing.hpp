@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "occusg/report/scene_result.hpp"
+#include "report/scene_result.hpp"
 
 namespace occusg {
 

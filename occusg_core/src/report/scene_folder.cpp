@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/report/scene_folder.hpp"
+#include "report/scene_folder.hpp"
 
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/map_reader.hpp"
 
 namespace occusg {

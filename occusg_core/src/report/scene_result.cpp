@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/report/scene_result.hpp"
+#include "report/scene_result.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/evaluation/score_estimates.hpp"
+#include "evaluation/score_estimates.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "drawn_mask.hpp"
+#include "geometry/cell_outline.hpp"
 #include "occusg/error.hpp"
-#include "occusg/geometry/cell_outline.hpp"
 
 namespace occusg {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "error_sentence.hpp"
-#include "occusg/mapping/cells_on_line.hpp"
+#include "mapping/cells_on_line.hpp"
 
 namespace occusg {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/entity_assignment.hpp"
+#include "graph/entity_assignment.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "graph/room_completeness.hpp"
+#include "graph/room_labels.hpp"
 #include "occusg/error.hpp"
-#include "occusg/graph/room_completeness.hpp"
-#include "occusg/graph/room_labels.hpp"
 #include "occusg/printable.hpp"
 #include "tracked_squares.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/interior_point.hpp"
+#include "graph/interior_point.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/graph/object_layer.hpp"
+#include "graph/object_layer.hpp"
 
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "occusg/graph/free_space_links.hpp"
-#include "occusg/graph/ghost_check.hpp"
+#include "graph/free_space_links.hpp"
+#include "graph/ghost_check.hpp"
 
 namespace occusg {
 namespace {
@@ -195,10 +195,10 @@ TEST(SeenApart, IsTheSameWhenMadeFromItsPairs) {
   apart.add(2, 1);
   apart.add(1, 2);
   apart.add(3, 2);
-  EXPECT_EQ(apart.pairs(), (SeenApart::Pairs{{{1, 2}, 2}, {{2, 3}, 1}}));
+  EXPECT_EQ(apart.pairs(), (ObjectPairCounts{{{1, 2}, 2}, {{2, 3}, 1}}));
   SeenApart again(apart.pairs());
   again.merge(1, 3);
-  EXPECT_EQ(again.pairs(), (SeenApart::Pairs{{{1, 2}, 3}}));
+  EXPECT_EQ(again.pairs(), (ObjectPairCounts{{{1, 2}, 3}}));
 }
 
 TEST(ObjectLayer, RefusesAndCountsWhatIsNoDetection) {

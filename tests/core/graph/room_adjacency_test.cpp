@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "occusg/graph/room_layer.hpp"
+#include "graph/room_layer.hpp"
 #include "tracked_squares.hpp"
 
 namespace occusg {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/decomposition_drawing.hpp"
+#include "io/decomposition_drawing.hpp"
 
 #include <gtest/gtest.h>
 

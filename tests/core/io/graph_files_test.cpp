@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "error_sentence.hpp"
-#include "occusg/io/rooms_geojson.hpp"
+#include "io/rooms_geojson.hpp"
+#include "io/spark_dsg_file.hpp"
 #include "occusg/io/scene_graph_file.hpp"
-#include "occusg/io/spark_dsg_file.hpp"
 
 namespace occusg {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/house_file.hpp"
+#include "io/house_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "error_sentence.hpp"
-#include "occusg/io/external_rooms.hpp"
-#include "occusg/io/file_bytes.hpp"
-#include "occusg/io/object_records.hpp"
+#include "io/external_rooms.hpp"
+#include "io/file_bytes.hpp"
+#include "io/object_records.hpp"
 #include "temporary_folder.hpp"
 
 namespace occusg {

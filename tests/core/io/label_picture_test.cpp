@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/label_picture.hpp"
+#include "io/label_picture.hpp"
 
 #include <gtest/gtest.h>
 

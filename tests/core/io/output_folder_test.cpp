@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "error_sentence.hpp"
+#include "io/file_mark.hpp"
 #include "occusg/error.hpp"
 #include "temporary_folder.hpp"
 

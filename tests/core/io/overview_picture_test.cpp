@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/overview_picture.hpp"
+#include "io/overview_picture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "drawn_grid.hpp"
 #include "error_sentence.hpp"
-#include "occusg/io/label_placement.hpp"
+#include "io/label_placement.hpp"
 
 namespace occusg {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/io/result_index.hpp"
+#include "io/result_index.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "error_sentence.hpp"
-#include "occusg/io/graphml_file.hpp"
-#include "occusg/io/occusg_1_0_file.hpp"
+#include "io/graphml_file.hpp"
+#include "io/occusg_1_0_file.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 
 namespace occusg {

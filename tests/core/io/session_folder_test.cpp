@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "error_sentence.hpp"
-#include "occusg/graph/agent_layer.hpp"
+#include "graph/agent_layer.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 #include "temporary_folder.hpp"

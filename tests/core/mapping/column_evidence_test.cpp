@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mapping/voxel_run.hpp"
 #include "occusg/error.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
 #include "voxel_scenes.hpp"

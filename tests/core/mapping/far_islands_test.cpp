@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/mapping/far_islands.hpp"
+#include "mapping/far_islands.hpp"
 
 #include <gtest/gtest.h>
 

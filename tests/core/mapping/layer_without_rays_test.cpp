@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/mapping/layer_without_rays.hpp"
+#include "mapping/layer_without_rays.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/mapping/local_floor.hpp"
+#include "mapping/local_floor.hpp"
 
 #include <gtest/gtest.h>
 

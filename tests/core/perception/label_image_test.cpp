@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/perception/label_image.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "occusg/error.hpp"
+#include "occusg/perception/instance_mask.hpp"
 
 namespace occusg {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/perception/letterbox.hpp"
+#include "perception/letterbox.hpp"
 
 #include <gtest/gtest.h>
 

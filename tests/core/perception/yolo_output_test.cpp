@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/perception/yolo_output.hpp"
+#include "perception/yolo_output.hpp"
 
 #include <gtest/gtest.h>
 

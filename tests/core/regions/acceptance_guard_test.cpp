@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/regions/acceptance_guard.hpp"
+#include "regions/acceptance_guard.hpp"
 
 #include <gtest/gtest.h>
 

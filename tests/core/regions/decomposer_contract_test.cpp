@@ -15,7 +15,7 @@
 
 #include "drawn_grid.hpp"
 #include "floor_plans.hpp"
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
 #include "occusg/regions/decomposer.hpp"
 #include "occusg/regions/dude_decomposer.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawn_grid.hpp"
-#include "occusg/regions/dude_mask.hpp"
+#include "regions/dude_mask.hpp"
 
 namespace occusg {
 namespace {

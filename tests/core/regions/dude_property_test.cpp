@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 #include "occusg/regions/dude_decomposer.hpp"
 #include "regions/dude_holes.hpp"
 #include "regions/dude_symmetry.hpp"

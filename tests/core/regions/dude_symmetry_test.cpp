@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 
 namespace occusg {
 namespace {

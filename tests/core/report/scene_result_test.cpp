@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/report/scene_result.hpp"
+#include "report/scene_result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "error_sentence.hpp"
-#include "occusg/report/report_page.hpp"
-#include "occusg/report/results_files.hpp"
+#include "report/report_page.hpp"
+#include "report/results_files.hpp"
 #include "rooms.hpp"
 #include "temporary_folder.hpp"
 

@@ -2,47 +2,24 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "occusg/geometry/pose.hpp"
-#include "occusg/graph/agent_layer.hpp"
-#include "occusg/graph/free_space_links.hpp"
-#include "occusg/graph/navigation_layer.hpp"
-#include "occusg/graph/object_layer.hpp"
-#include "occusg/graph/room_completeness.hpp"
-#include "occusg/graph/room_history.hpp"
-#include "occusg/graph/room_labels.hpp"
-#include "occusg/graph/room_layer.hpp"
+#include "occusg/graph/graph_config.hpp"
+#include "occusg/graph/graph_state.hpp"
 #include "occusg/graph/scene_graph.hpp"
-#include "occusg/parameter.hpp"
+#include "occusg/mapping/free_space.hpp"
+#include "occusg/perception/detection.hpp"
 #include "occusg/regions/region_tracker.hpp"
 
+namespace octomap {
+class OcTree;
+}
+
 namespace occusg {
-
-struct GraphBuilderConfig {
-  double maintenance_period_s = 2.0;  ///< Of relinking, promotion and removal (paper: 0.5 Hz) [s].
-  AgentLayerConfig agents;
-  RoomLayerConfig rooms;
-  ObjectLayerConfig objects;
-  NavigationLayerConfig navigation;
-  RoomLabelTable room_labels = defaultRoomLabels();
-};
-
-/// The one table of these parameters: names, units, ranges and what they mean. The constructor
-/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
-/// @param config outlives the parameters, which read and write it.
-[[nodiscard]] std::vector<Parameter> parametersOf(GraphBuilderConfig& config);
-
-/// Everything a builder knows that the next update does not tell it again.
-struct GraphBuilderState {
-  SceneGraph graph;
-  RoomLayerState rooms;
-  std::optional<double> last_update_s;
-  double last_maintenance_s = 0.0;
-  ObjectLayerState objects;
-};
 
 /// What an update may know of the map besides the regions.
 struct MapView {
@@ -57,7 +34,13 @@ struct MapView {
 /// however large the graph is.
 class GraphBuilder {
  public:
+  /// @throws Error naming the first value out of range.
   explicit GraphBuilder(const GraphBuilderConfig& config);
+  GraphBuilder(const GraphBuilder&) = delete;
+  GraphBuilder& operator=(const GraphBuilder&) = delete;
+  GraphBuilder(GraphBuilder&&) noexcept;
+  GraphBuilder& operator=(GraphBuilder&&) noexcept;
+  ~GraphBuilder();
 
   /// Brings the graph up to date with newly tracked regions and the pose they belong to; maintains
   /// the rooms when `maintenance_period_s` has passed since they last were. An update older than
@@ -93,11 +76,11 @@ class GraphBuilder {
   [[nodiscard]] SceneGraph& mutableGraph() { return graph_; }
 
   /// The room the robot was in at the last update.
-  [[nodiscard]] std::optional<NodeId> currentRoom() const { return rooms_.currentRoom(); }
-  [[nodiscard]] std::size_t posesBackInTime() const { return agents_.posesBackInTime(); }
-  [[nodiscard]] const ObjectCounts& objectCounts() const { return objects_.counts(); }
+  [[nodiscard]] std::optional<NodeId> currentRoom() const;
+  [[nodiscard]] std::size_t posesBackInTime() const;
+  [[nodiscard]] const ObjectCounts& objectCounts() const;
   /// How often a confirmed room lost its id to another.
-  [[nodiscard]] std::size_t roomIdSwitches() const { return history_.idSwitches(); }
+  [[nodiscard]] std::size_t roomIdSwitches() const;
   [[nodiscard]] std::size_t updatesBackInTime() const { return updates_back_in_time_; }
 
   [[nodiscard]] GraphBuilderState state() const;
@@ -108,20 +91,15 @@ class GraphBuilder {
   void reset();
 
  private:
+  struct Layers;
+
   void maintainFinally(double stamp_s, const MapView* map);
   const SceneGraph& assemble(const TrackedRegions& tracked, const Pose& T_map_agent, double stamp_s,
                              const MapView* map);
 
   GraphBuilderConfig config_;
   SceneGraph graph_;
-  AgentLayer agents_;
-  RoomLayer rooms_;
-  ObjectLayer objects_;
-  NavigationLayer navigation_;
-  FreeSpaceLinks links_;
-  RoomCompleteness completeness_;
-  RoomLabeler labeler_;
-  RoomHistory history_;
+  std::unique_ptr<Layers> layers_;
   std::optional<double> last_update_s_;
   double last_maintenance_s_ = 0.0;  ///< Once there was an update: the first counts as one.
   std::size_t updates_back_in_time_ = 0;

@@ -2,13 +2,25 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <string>
-
-#include "occusg/io/file_mark.hpp"
+#include <string_view>
 
 namespace occusg {
+
+/// Size and content of a file, to tell a damaged one or one of another run.
+struct FileMark {
+  std::size_t bytes = 0;
+  std::uint64_t checksum = 14'695'981'039'346'656'037U;  ///< FNV-1a, 64 bit (Fowler, Noll, Vo).
+
+  /// Takes in the bytes that follow.
+  void add(std::string_view more);
+  [[nodiscard]] bool operator==(const FileMark& other) const {
+    return bytes == other.bytes && checksum == other.checksum;
+  }
+};
 
 /// A folder results are written to. A file appears whole or not at all: it is written under a
 /// temporary name beside its place, flushed to the disk and renamed, so that neither a crash nor a

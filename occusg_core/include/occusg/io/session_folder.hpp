@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "occusg/io/session_state.hpp"
+#include "occusg/graph/graph_state.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
 
 namespace occusg {

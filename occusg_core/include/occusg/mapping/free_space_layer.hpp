@@ -4,19 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
-#include "occusg/geometry/tiled_grid.hpp"
 #include "occusg/mapping/column_evidence.hpp"
 #include "occusg/mapping/free_space.hpp"
-#include "occusg/mapping/local_floor.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
-#include "occusg/mapping/voxel_run.hpp"
 #include "occusg/parameter.hpp"
 
 namespace occusg {
 
-class VoxelColumns;
+class FreeSpaceProjection;
 
 /// What the height limits of the layer are measured from.
 enum class HeightReference {
@@ -59,6 +57,11 @@ class FreeSpaceLayer {
   /// @param frame must have the resolution of the maps given to `update`.
   /// @throws Error naming the field, its value and the allowed range.
   FreeSpaceLayer(const FreeSpaceLayerConfig& config, const GridFrame& frame);
+  FreeSpaceLayer(const FreeSpaceLayer& other);
+  FreeSpaceLayer& operator=(const FreeSpaceLayer& other);
+  FreeSpaceLayer(FreeSpaceLayer&&) noexcept;
+  FreeSpaceLayer& operator=(FreeSpaceLayer&&) noexcept;
+  ~FreeSpaceLayer();
 
   /// Recomputes the columns in `change`, those whose local floor moved, and the cells beside them;
   /// afterwards the layer equals `recompute` of the same map, box, cells and evidence, provided
@@ -74,38 +77,13 @@ class FreeSpaceLayer {
   [[nodiscard]] bool canCover(const CellBox& box) const;
 
   /// In `changed`, cells the layer did not cover before count as having been unknown.
-  [[nodiscard]] const FreeSpace& freeSpace() const { return layer_; }
+  [[nodiscard]] const FreeSpace& freeSpace() const;
   void reset();
   /// Memory held for the layer and its evidence [bytes].
   [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
-  struct Reading;
-
-  struct ColumnState {
-    VoxelRun lowest_free;  ///< Lowest free run long enough; empty when there is none.
-    bool queued = false;   ///< In `queue_`.
-    friend bool operator==(const ColumnState& a, const ColumnState& b) {
-      return a.lowest_free == b.lowest_free;
-    }
-  };
-
-  void checkResolution(const OccupancyMap& map) const;
-  void cover(const CellBox& known_columns);
-  void apply(const VoxelColumns& columns, const std::vector<Cell>& changed);
-  void remeasure(const Reading& reading, const Cell& cell);
-  void queue(const Cell& cell);
-  void evaluate(Reading& reading, const Cell& cell);
-  [[nodiscard]] std::int8_t valueOf(Reading& reading, const Cell& cell) const;
-  [[nodiscard]] VoxelRun heightsAt(std::int16_t floor) const;
-
-  FreeSpaceLayerConfig config_;
-  int needed_voxels_;  ///< Length of the shortest run that counts.
-  VoxelRun heights_;   ///< Voxels between the height limits.
-  LocalFloor floors_;
-  TiledGrid<ColumnState> columns_;
-  std::vector<Cell> queue_;  ///< Cells whose value must be found anew; empty between updates.
-  FreeSpace layer_;
+  std::unique_ptr<FreeSpaceProjection> projection_;
 };
 
 }  // namespace occusg

@@ -8,12 +8,23 @@
 #include <vector>
 
 #include "occusg/geometry/cell.hpp"
-#include "occusg/mapping/far_islands.hpp"
 #include "occusg/parameter.hpp"
 #include "occusg/perception/point_cloud.hpp"
 #include "occusg/perception/range_image.hpp"
 
 namespace occusg {
+
+/// Parts that were cut off a map because it spanned more than a free-space layer can.
+struct FarIslands {
+  std::size_t islands = 0;  ///< Parts with nothing known between them and the others.
+  std::size_t nodes = 0;    ///< Nodes of the tree that went with them.
+  double farthest_m = 0.0;  ///< Largest distance of one of them from what was kept, along an axis.
+
+  [[nodiscard]] bool none() const { return islands == 0; }
+};
+
+/// "2 islands (1234 nodes, up to 900 m away) were cut off ...", for who loaded the map.
+[[nodiscard]] std::string sentenceOn(const FarIslands& cut);
 
 class FrameCarver;
 class FrameRays;

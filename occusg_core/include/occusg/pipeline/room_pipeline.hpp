@@ -9,7 +9,7 @@
 
 #include "occusg/geometry/pose.hpp"
 #include "occusg/graph/graph_builder.hpp"
-#include "occusg/io/session_state.hpp"
+#include "occusg/graph/graph_state.hpp"
 #include "occusg/mapping/free_space.hpp"
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/stage_times.hpp"

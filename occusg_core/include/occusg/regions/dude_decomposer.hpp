@@ -2,17 +2,25 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "occusg/geometry/polygon.hpp"
 #include "occusg/parameter.hpp"
 #include "occusg/regions/decomposer.hpp"
-#include "occusg/regions/dude_mask.hpp"
-#include "occusg/regions/dude_partition.hpp"
-#include "occusg/regions/dude_regions.hpp"
-#include "occusg/regions/dude_trace.hpp"
 
 namespace occusg {
+
+class DudeDivision;
+
+/// What is done to the layer before its outlines are taken.
+enum class GridCleaning {
+  kNone,  ///< Free cells are free space, nothing else is.
+  /// As the published driver does in effect at 0.05 m: free cells and obstacles below level 10 grow
+  /// by 5 to 6 cells, obstacles above level 90 by 4 to 5, and the latter win. Rooms with hard walls
+  /// shrink by 0.25 m a side, gaps up to 0.55 m close over, walls of level 90 and below dissolve.
+  kPublished,
+};
 
 /// Which 4-connected components of free space become regions.
 enum class ComponentChoice { kAll, kLargest };
@@ -41,9 +49,42 @@ struct DudeDecomposerConfig {
 /// @param config outlives the parameters, which read and write it.
 [[nodiscard]] std::vector<Parameter> parametersOf(DudeDecomposerConfig& config);
 
+/// What the decomposition met, summed over its calls.
+struct DudeCounters {
+  std::size_t updates = 0;
+  std::size_t batch_updates = 0;  ///< Updates that recomputed everything.
+  std::size_t components = 0;
+  std::size_t corners = 0;
+  std::size_t candidates = 0;
+  std::size_t cuts = 0;
+  std::size_t ignored_holes = 0;
+};
+
 /// The configuration nearest to the published system: a depth threshold of 1.5 m, its grid cleaning
 /// and its restriction to the largest component.
 [[nodiscard]] DudeDecomposerConfig publishedDudeConfig();
+
+/// How the dual-space decomposition came to its cuts, to be drawn. All in the map frame [m].
+struct DudeTrace {
+  struct Bridge {
+    Segment2 segment;
+    int level = 0;  ///< Even: closes obstacle that reaches into free space; odd: free space.
+  };
+  struct Feature {
+    Point2 at;
+    double depth_m = 0.0;
+  };
+  struct Cut {
+    Segment2 segment;
+    double depth_m = 0.0;  ///< The largest depth threshold at which the cut is made.
+  };
+  std::vector<Bridge> bridges;
+  std::vector<Feature> minima;         ///< Obstacle corners where cuts may end.
+  std::vector<Point2> feet;            ///< Points straight across from minima.
+  std::vector<Polygon> ignored_holes;  ///< Free-standing obstacles that count as furniture.
+  std::vector<Cut> candidates;
+  std::vector<Cut> cuts;  ///< Those that were chosen.
+};
 
 /// Dual-space decomposition of free space (Liu, Xi, Lien: "Dual-space decomposition of 2D complex
 /// shapes", CVPR 2014), updated where the layer changed (Fermin-Leon, Neira, Castellanos:
@@ -67,38 +108,22 @@ class DudeDecomposer final : public Decomposer {
  public:
   /// @throws Error naming the first value out of range.
   explicit DudeDecomposer(const DudeDecomposerConfig& config);
+  DudeDecomposer(const DudeDecomposer&) = delete;
+  DudeDecomposer& operator=(const DudeDecomposer&) = delete;
+  DudeDecomposer(DudeDecomposer&&) = delete;
+  DudeDecomposer& operator=(DudeDecomposer&&) = delete;
+  ~DudeDecomposer() override;
 
   using Decomposer::update;
   const Decomposition& update(const FreeSpace& layer, const CellBox& changed) override;
   void reset() override;
 
-  [[nodiscard]] const DudeCounters& counters() const { return counters_; }
+  [[nodiscard]] const DudeCounters& counters() const;
   /// The steps behind a batch decomposition of the last layer, and the cuts that stand now.
   [[nodiscard]] DudeTrace trace() const;
 
  private:
-  /// What an update has to divide again.
-  struct Dirty {
-    std::vector<Cell> cells;           ///< That changed, or hang on to such; sorted.
-    std::vector<std::int32_t> labels;  ///< Sorted, unique.
-  };
-
-  [[nodiscard]] DudePartitionRules rulesFor(const GridFrame& frame) const;
-  void recompute(const FreeSpace& layer);
-  [[nodiscard]] Dirty takeChanges(const FreeSpace& layer, const CellBox& changed);
-  void addAcrossChangedCuts(Dirty& dirty) const;
-  void addUnlabelledBeside(Dirty& dirty) const;
-  /// Divides what is dirty; false when that is everything, or turns out to be.
-  [[nodiscard]] bool divideAgain(Dirty& dirty);
-  [[nodiscard]] DudeMask dirtyMask(const Dirty& dirty) const;
-  /// Regions outside `dirty` that something in `mask` cannot do without.
-  [[nodiscard]] std::vector<std::int32_t> missingIn(const DudeMask& mask, const Dirty& dirty) const;
-  [[nodiscard]] Grid<std::uint8_t> openRound(const DudeMask& mask, const Dirty& dirty) const;
-
-  DudeDecomposerConfig config_;
-  DudeCounters counters_;
-  Grid<std::uint8_t> open_;  ///< 1: free after cleaning.
-  DudeRegions regions_;
+  std::unique_ptr<DudeDivision> division_;
 };
 
 }  // namespace occusg

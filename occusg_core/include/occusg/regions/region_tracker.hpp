@@ -5,13 +5,31 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "occusg/parameter.hpp"
-#include "occusg/regions/acceptance_guard.hpp"
 #include "occusg/regions/region.hpp"
 
 namespace occusg {
+
+class AcceptanceGuard;
+
+/// Which decompositions are refused for what they lost.
+struct AcceptanceGuardConfig {
+  double max_area_drop = 0.15;   ///< Largest accepted drop of the total area, 0..1, inclusive.
+  double max_count_drop = 0.15;  ///< Largest accepted drop of the number of regions, 0..1.
+  /// The paper rejects when either drops. Two rooms of five that merge are 20 % of the regions and
+  /// no area at all; that must not freeze a map, so by default the area alone decides.
+  bool reject_on_count_alone = false;
+  /// After so many rejections in a row the new state is accepted; 0 = never (as in the paper).
+  int max_rejections_in_a_row = 6;
+};
+
+/// The one table of these parameters: names, units, ranges and what they mean. The constructor
+/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
+/// @param config outlives the parameters, which read and write it.
+[[nodiscard]] std::vector<Parameter> parametersOf(AcceptanceGuardConfig& config);
 
 struct RegionTrackerConfig {
   double min_overlap = 0.20;  ///< Polygon IoU must exceed this, 0..1.
@@ -65,6 +83,11 @@ class RegionTracker {
  public:
   /// @throws Error when a parameter is out of range.
   explicit RegionTracker(const RegionTrackerConfig& config);
+  RegionTracker(const RegionTracker&) = delete;
+  RegionTracker& operator=(const RegionTracker&) = delete;
+  RegionTracker(RegionTracker&&) noexcept;
+  RegionTracker& operator=(RegionTracker&&) noexcept;
+  ~RegionTracker();
 
   /// A decomposition the guard rejects leaves the tracks alone: the last accepted state comes back,
   /// marked stale. The reference stays valid until the next call.
@@ -93,7 +116,7 @@ class RegionTracker {
   void noteChanges(const std::vector<Region>& regions, const std::vector<int>& ids);
 
   RegionTrackerConfig config_;
-  AcceptanceGuard guard_;
+  std::unique_ptr<AcceptanceGuard> guard_;
   std::map<int, Track> tracks_;  ///< By id.
   int next_id_ = 1;
   TrackedRegions tracked_;

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

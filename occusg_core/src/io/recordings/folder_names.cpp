@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/file_bytes.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 #include "occusg/io/png_check.hpp"
 
 namespace occusg {

@@ -6,11 +6,11 @@
 #include <cctype>
 #include <cmath>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "io/recordings/folder_names.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
-#include "occusg/io/file_bytes.hpp"
 
 namespace occusg {
 namespace {

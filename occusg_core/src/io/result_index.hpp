@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "occusg/io/file_mark.hpp"
+#include "io/file_mark.hpp"
 
 namespace occusg {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "occusg/evaluation/observed_rooms.hpp"
-#include "occusg/evaluation/truth_check.hpp"
-#include "occusg/io/object_records.hpp"
+#include "evaluation/observed_rooms.hpp"
+#include "evaluation/truth_check.hpp"
+#include "io/object_records.hpp"
 #include "occusg/io/rooms_file.hpp"
 
 namespace occusg {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "occusg/regions/dude_partition.hpp"
 #include "occusg/regions/region.hpp"
+#include "regions/dude_partition.hpp"
 
 namespace occusg {
 

@@ -8,7 +8,7 @@
 
 #include "occusg/evaluation/relation_metrics.hpp"
 #include "occusg/evaluation/room_metrics.hpp"
-#include "occusg/report/scene_folder.hpp"
+#include "report/scene_folder.hpp"
 
 namespace occusg {
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "occusg/graph/region_snapshot.hpp"
+#include "graph/region_snapshot.hpp"
 #include "occusg/graph/scene_graph.hpp"
 
 namespace occusg {

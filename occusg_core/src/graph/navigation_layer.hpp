@@ -8,34 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "occusg/graph/navigation_block.hpp"
+#include "graph/navigation_block.hpp"
+#include "occusg/graph/graph_config.hpp"
 #include "occusg/graph/scene_graph.hpp"
-#include "occusg/parameter.hpp"
 
 namespace occusg {
-
-/// What stands for a block of free space.
-enum class NavigationNodes {
-  /// One node in the middle of the block, wall or not; two blocks are joined when free cells of the
-  /// two lead from one to the other, corners of obstacles cut or not (paper, Sec. 3.4).
-  kOnePerBlock,
-  /// One node on each connected part of its free cells, joined to the parts it touches; a step past
-  /// a corner needs the cells on both sides of it free, and an edge a straight line over free
-  /// cells.
-  kOnePerPart,
-};
-
-struct NavigationLayerConfig {
-  int block_cells = 15;     ///< Side of a block [cells], 2..64.
-  int min_free_cells = 25;  ///< A node is made when it stands for so many free cells.
-  int min_kept_cells = 15;  ///< And removed when they are fewer; zero: never.
-  NavigationNodes nodes = NavigationNodes::kOnePerPart;
-};
-
-/// The one table of these parameters: names, units, ranges and what they mean. The constructor
-/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
-/// @param config outlives the parameters, which read and write it.
-[[nodiscard]] std::vector<Parameter> parametersOf(NavigationLayerConfig& config);
 
 /// Navigation nodes on a lattice of blocks aligned to world zero, and the traversable edges between
 /// them (paper, Sec. 3.4). Only blocks in which a cell became free or stopped being so are touched.

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "occusg/graph/door_layer.hpp"
-#include "occusg/graph/entity_assignment.hpp"
-#include "occusg/graph/region_joins.hpp"
-#include "occusg/graph/region_snapshot.hpp"
+#include "graph/door_layer.hpp"
+#include "graph/entity_assignment.hpp"
+#include "graph/region_joins.hpp"
+#include "graph/region_snapshot.hpp"
 #include "occusg/graph/scene_graph.hpp"
 
 namespace occusg {

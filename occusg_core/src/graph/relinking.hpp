@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "occusg/graph/graph_config.hpp"
 #include "occusg/graph/node.hpp"
-#include "occusg/graph/room_layer_config.hpp"
 #include "occusg/regions/region.hpp"
 
 namespace occusg {

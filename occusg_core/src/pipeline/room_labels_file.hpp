@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "occusg/graph/room_labels.hpp"
+#include "occusg/graph/graph_config.hpp"
 
 namespace occusg {
 

@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 #include "occusg/geometry/grid.hpp"
-#include "occusg/regions/dude_mask.hpp"
-#include "occusg/regions/dude_selection.hpp"
+#include "occusg/regions/dude_decomposer.hpp"
+#include "regions/dude_mask.hpp"
+#include "regions/dude_selection.hpp"
 
 namespace occusg {
 
@@ -26,17 +27,6 @@ struct DudePartitionRules {
   DudeSelectionRules selection;
   double longest_cut_cells = 100.0;
   double keep_bonus = 0.2;  ///< For cuts between corners that were cut before.
-};
-
-/// What the decomposition met, summed over its calls.
-struct DudeCounters {
-  std::size_t updates = 0;
-  std::size_t batch_updates = 0;  ///< Updates that recomputed everything.
-  std::size_t components = 0;
-  std::size_t corners = 0;
-  std::size_t candidates = 0;
-  std::size_t cuts = 0;
-  std::size_t ignored_holes = 0;
 };
 
 /// What led to the cuts, in map cells.

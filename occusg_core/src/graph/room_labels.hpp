@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
+#include "occusg/graph/graph_config.hpp"
 #include "occusg/graph/scene_graph.hpp"
 
 namespace occusg {
-
-/// What speaks for a kind of room: the weight of each object class, by `classKey`.
-using RoomLabelTable = std::map<std::string, std::map<std::string, double>>;
-
-/// The table of `config/room_labels.yaml`.
-[[nodiscard]] RoomLabelTable defaultRoomLabels();
 
 /// Label of a room nobody can name.
 inline constexpr const char* kUnknownLabel = "unknown";

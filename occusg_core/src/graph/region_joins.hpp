@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "occusg/graph/entity_assignment.hpp"
-#include "occusg/graph/region_snapshot.hpp"
+#include "graph/entity_assignment.hpp"
+#include "graph/region_snapshot.hpp"
 #include "occusg/graph/scene_graph.hpp"
 
 namespace occusg {

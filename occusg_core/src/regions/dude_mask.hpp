@@ -5,19 +5,11 @@
 #include <functional>
 #include <vector>
 
-#include "occusg/geometry/cell_outline.hpp"
+#include "geometry/cell_outline.hpp"
 #include "occusg/mapping/free_space.hpp"
+#include "occusg/regions/dude_decomposer.hpp"
 
 namespace occusg {
-
-/// What is done to the layer before its outlines are taken.
-enum class GridCleaning {
-  kNone,  ///< Free cells are free space, nothing else is.
-  /// As the published driver does in effect at 0.05 m: free cells and obstacles below level 10 grow
-  /// by 5 to 6 cells, obstacles above level 90 by 4 to 5, and the latter win. Rooms with hard walls
-  /// shrink by 0.25 m a side, gaps up to 0.55 m close over, walls of level 90 and below dissolve.
-  kPublished,
-};
 
 /// How far a cell's value reaches in the cleaned mask [cells].
 [[nodiscard]] int cleaningReach(GridCleaning cleaning);

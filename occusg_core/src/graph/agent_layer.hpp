@@ -6,28 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <vector>
 
 #include "occusg/geometry/pose.hpp"
+#include "occusg/graph/graph_config.hpp"
 #include "occusg/graph/scene_graph.hpp"
-#include "occusg/parameter.hpp"
 
 namespace occusg {
-
-/// The published system says "sampled"; these are the values it was run with.
-struct AgentLayerConfig {
-  double min_distance_m = 0.5;   ///< A pose so far from the last agent becomes one [m], 3D.
-  double max_interval_s = 10.0;  ///< A pose this much later than the last agent becomes one [s].
-  /// Of older agents only the last at each place stays [s], positive.
-  double recent_s = 3600.0;
-  double old_spacing_m = 1.0;  ///< Side of the cubes that are one place for them [m], positive.
-  int max_agents = 20'000;     ///< Beyond it the oldest go, [2, kMaxGraphNodes / 2].
-};
-
-/// The one table of these parameters: names, units, ranges and what they mean. The constructor
-/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
-/// @param config outlives the parameters, which read and write it.
-[[nodiscard]] std::vector<Parameter> parametersOf(AgentLayerConfig& config);
 
 /// Samples the trajectory and thins it with age, so that it does not grow for ever: agent nodes,
 /// each joined to the one before by a temporal edge (paper, Sec. 3.4). The first pose is always an

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "occusg/mapping/free_space.hpp"
-#include "occusg/regions/dude_trace.hpp"
+#include "occusg/regions/dude_decomposer.hpp"
 #include "occusg/regions/region.hpp"
 
 namespace occusg {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "occusg/perception/instance_mask.hpp"
-#include "occusg/perception/letterbox.hpp"
+#include "perception/letterbox.hpp"
 
 namespace occusg {
 

@@ -6,23 +6,17 @@
 #include <set>
 #include <vector>
 
-#include "occusg/graph/adjacency_layer.hpp"
-#include "occusg/graph/entity_assignment.hpp"
-#include "occusg/graph/region_snapshot.hpp"
-#include "occusg/graph/relinking.hpp"
-#include "occusg/graph/room_layer_config.hpp"
+#include "graph/adjacency_layer.hpp"
+#include "graph/entity_assignment.hpp"
+#include "graph/region_snapshot.hpp"
+#include "graph/relinking.hpp"
+#include "occusg/graph/graph_config.hpp"
+#include "occusg/graph/graph_state.hpp"
 #include "occusg/graph/scene_graph.hpp"
 
 namespace occusg {
 
 enum class Maintenance { kNotDue, kDue };
-
-/// What the layer knows that neither the graph nor the next regions tell it again.
-struct RoomLayerState {
-  std::map<int, double> first_seen_s;  ///< By region.
-  /// Rooms that moved away from a region the tracker may still bring back.
-  std::map<int, NodeId> former_room_of_region;
-};
 
 /// Anchors rooms to tracked regions, one to one (paper, Sec. 3.3), and entities to rooms.
 ///

@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "graph/seen_apart.hpp"
+#include "occusg/graph/graph_config.hpp"
+#include "occusg/graph/graph_state.hpp"
 #include "occusg/graph/scene_graph.hpp"
-#include "occusg/graph/seen_apart.hpp"
 #include "occusg/graph/spatial_index.hpp"
-#include "occusg/parameter.hpp"
 #include "occusg/perception/detection.hpp"
 
 namespace octomap {
@@ -18,55 +19,6 @@ class OcTree;
 }
 
 namespace occusg {
-
-enum class ObjectMemory {
-  /// An object keeps what was first seen of it; later detections are only counted (paper,
-  /// Sec. 3.4).
-  kFirstSight,
-  /// Detections of overlapping boxes make up one object: mean place, common box, class histogram.
-  kRunning,
-};
-
-enum class GhostRemoval {
-  kNever,
-  kSeenThrough,  ///< An object goes when the space it filled has been seen to be free.
-};
-
-struct ObjectLayerConfig {
-  ObjectMemory memory = ObjectMemory::kRunning;
-  double merge_distance_m =
-      0.75;  ///< kFirstSight: objects of one class nearer than this are one [m], 3D.
-  double flicker_distance_m =
-      0.15;  ///< kFirstSight: objects of any class nearer than this are one [m].
-  /// kRunning: same class with so much of the smaller box in common is one object, 0..1.
-  double min_common_box = 0.3;
-  GhostRemoval ghosts = GhostRemoval::kSeenThrough;
-  int ghost_checks = 3;              ///< So many looks in a row must find the space free.
-  double max_link_distance_m = 1.0;  ///< To the nearest navigation node [m].
-};
-
-/// The one table of these parameters: names, units, ranges and what they mean. The constructor
-/// checks the ranges; YAML files, ROS parameters and the pages of the documentation come from it.
-/// @param config outlives the parameters, which read and write it.
-[[nodiscard]] std::vector<Parameter> parametersOf(ObjectLayerConfig& config);
-
-/// Most detections taken from one frame; those of the best score.
-inline constexpr std::size_t kMaxDetectionsPerFrame = 300;
-
-struct ObjectCounts {
-  std::size_t detections = 0;  ///< Taken.
-  std::size_t refused = 0;     ///< A NaN, an empty box, or a score outside 0..1.
-  std::size_t over_limit = 0;  ///< Beyond `kMaxDetectionsPerFrame`.
-  std::size_t merged = 0;      ///< Objects found to be one with another.
-  std::size_t ghosts = 0;      ///< Objects removed because their space is free.
-};
-
-/// What the layer knows that neither the graph nor later frames tell it again.
-struct ObjectLayerState {
-  SeenApart::Pairs seen_apart;        ///< Of objects in the graph.
-  std::map<NodeId, int> free_checks;  ///< How often in a row an object's space was found free.
-  NodeId last_checked = 0;            ///< The object last looked at, whether it is a ghost.
-};
 
 /// Detections -> object nodes.
 class ObjectLayer {
