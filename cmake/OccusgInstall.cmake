@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the core and exports it as occusg::core, with catkin and without. What is installed can be moved: every file
+# Installs the libraries and exports them as occusg::core, occusg::io and occusg::evaluation, with catkin and without. What is installed can be moved: every file
 # finds the others from where it lies itself.
 include(CMakePackageConfigHelpers)
 
 set(OCCUSG_CMAKE_DIR share/occusg/cmake)
-install(TARGETS occusg_core EXPORT occusgTargets
+install(TARGETS occusg_core occusg_libio occusg_libevaluation EXPORT occusgTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -136,6 +136,18 @@ occusg_add_module(graph
   USES geometry perception mapping regions
   ALONE room_labels.cpp)
 
+occusg_add_module(pipeline
+  SOURCES
+    config.cpp
+    config_file.cpp
+    frame_report.cpp
+    map_pipeline.cpp
+    pipeline.cpp
+    room_pipeline.cpp
+    stage_times.cpp
+  USES geometry perception mapping regions graph
+  LIBRARIES yaml-cpp)
+
 occusg_add_module(io
   SOURCES
     canvas.cpp
@@ -173,6 +185,7 @@ occusg_add_module(io
     polygon_json.cpp
     portable_map.cpp
     result_index.cpp
+    results.cpp
     recordings/camera_file.cpp
     recordings/folder_names.cpp
     recordings/numbered_recordings.cpp
@@ -181,6 +194,7 @@ occusg_add_module(io
     recordings/trajectory_file.cpp
     recordings/tum_recording.cpp
     room_color.cpp
+    room_labels_file.cpp
     rooms_file.cpp
     rooms_geojson.cpp
     scene_graph_file.cpp
@@ -191,7 +205,7 @@ occusg_add_module(io
     session_repair.cpp
     spark_dsg_file.cpp
     text_lines.cpp
-  USES geometry perception mapping regions graph
+  USES geometry perception mapping regions graph pipeline
   LIBRARIES nlohmann_json::nlohmann_json yaml-cpp opencv_core opencv_imgproc opencv_imgcodecs
   ALONE object_labels.cpp scene_graph_file.cpp)
 
@@ -224,19 +238,5 @@ occusg_add_module(report
     room_drawing.cpp
     scene_folder.cpp
     scene_result.cpp
-  USES geometry perception mapping regions graph io evaluation
+  USES geometry perception mapping regions graph pipeline io evaluation
   LIBRARIES nlohmann_json::nlohmann_json)
-
-occusg_add_module(pipeline
-  SOURCES
-    config.cpp
-    config_file.cpp
-    frame_report.cpp
-    map_pipeline.cpp
-    pipeline.cpp
-    results.cpp
-    room_labels_file.cpp
-    room_pipeline.cpp
-    stage_times.cpp
-  USES geometry perception mapping regions graph io
-  LIBRARIES yaml-cpp)

@@ -12,9 +12,9 @@
 #include "occusg/error.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
+#include "occusg/io/results.hpp"
 #include "occusg/io/session_folder.hpp"
 #include "occusg/io/session_repair.hpp"
-#include "occusg/pipeline/results.hpp"
 #include "occusg_ros/saved_folder.hpp"
 #include "scene_graph_node.hpp"
 

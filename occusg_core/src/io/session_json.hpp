@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/file_mark.hpp"
-#include "occusg/graph/graph_state.hpp"
+#include "occusg/pipeline/room_pipeline.hpp"
 
 namespace occusg {
 

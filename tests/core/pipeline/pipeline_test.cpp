@@ -13,9 +13,9 @@
 #include "occusg/error.hpp"
 #include "occusg/geometry/polygon_overlap.hpp"
 #include "occusg/graph/graph_query.hpp"
+#include "occusg/io/results.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 #include "occusg/pipeline/config_file.hpp"
-#include "occusg/pipeline/results.hpp"
 #include "occusg/regions/label_regions.hpp"
 
 namespace occusg {

@@ -4,13 +4,10 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "occusg/geometry/pose.hpp"
 #include "occusg/graph/node.hpp"
 #include "occusg/graph/scene_graph.hpp"
-#include "occusg/regions/region_tracker.hpp"
 
 namespace occusg {
 
@@ -49,17 +46,6 @@ struct GraphBuilderState {
   std::optional<double> last_update_s;
   double last_maintenance_s = 0.0;
   ObjectLayerState objects;
-};
-
-/// What a running system knows besides its occupancy map and cannot compute from it again. The
-/// free-space layer and the decomposition follow from the map.
-struct SessionState {
-  std::string scene;
-  double stamp_s = 0.0;                      ///< Of the last frame.
-  Pose T_map_agent = Pose::Identity();       ///< Of the last frame.
-  std::optional<double> last_room_update_s;  ///< When regions and rooms were updated last.
-  RegionTrackerState tracker;
-  GraphBuilderState graph;
 };
 
 }  // namespace occusg

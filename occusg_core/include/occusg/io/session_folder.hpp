@@ -3,22 +3,15 @@
 
 #include <octomap/OcTree.h>
 
-#include <optional>
 #include <string>
 
-#include "occusg/graph/graph_state.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
+#include "occusg/pipeline/pipeline.hpp"
 
 namespace occusg {
 
 /// Version of `session.json`; counts up when a reader of the old one would misread the new one.
 inline constexpr int kSessionVersion = 1;
-
-/// A saved session.
-struct Session {
-  std::optional<OccupancyMap> map;  ///< None when it was saved without one.
-  SessionState state;
-};
 
 /// Checks, before a long run, that a session can be saved there.
 /// @throws Error when `folder` is a file, or a folder that holds something else than a session.

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "occusg/io/session_folder.hpp"
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/detection_builder.hpp"
 #include "occusg/pipeline/config.hpp"
@@ -16,6 +15,12 @@
 #include "occusg/pipeline/stage_times.hpp"
 
 namespace occusg {
+
+/// A saved session.
+struct Session {
+  std::optional<OccupancyMap> map;  ///< None when it was saved without one.
+  SessionState state;
+};
 
 /// What the frames so far brought.
 struct PipelineCounts : MapCounts, RoomCounts {

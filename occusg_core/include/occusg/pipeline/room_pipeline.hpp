@@ -18,6 +18,17 @@
 
 namespace occusg {
 
+/// What a running system knows besides its occupancy map and cannot compute from it again. The
+/// free-space layer and the decomposition follow from the map.
+struct SessionState {
+  std::string scene;
+  double stamp_s = 0.0;                      ///< Of the last frame.
+  Pose T_map_agent = Pose::Identity();       ///< Of the last frame.
+  std::optional<double> last_room_update_s;  ///< When regions and rooms were updated last.
+  RegionTrackerState tracker;
+  GraphBuilderState graph;
+};
+
 /// What the layers so far brought.
 struct RoomCounts {
   std::size_t region_updates = 0;

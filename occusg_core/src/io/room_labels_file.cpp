@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/room_labels_file.hpp"
+#include "io/room_labels_file.hpp"
 
 #include <cstddef>
 #include <locale>

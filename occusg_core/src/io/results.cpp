@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/pipeline/results.hpp"
+#include "occusg/io/results.hpp"
 
 #include <iomanip>
 #include <locale>
