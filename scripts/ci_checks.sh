@@ -17,6 +17,9 @@ if grep -E 'warning:' build/demo.log build/build.log; then
   exit 1
 fi
 
+step "The site"
+scripts/build_docs.sh --no-install
+
 step "A build without the decomposer dude, and so without CGAL's packages under the GPL"
 scripts/check_without_dude.sh | tail -n 3
 

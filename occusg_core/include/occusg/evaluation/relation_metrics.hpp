@@ -53,6 +53,7 @@ struct PlacedObject {
 /// Objects match when their centres are at most so far apart [m].
 inline constexpr double kObjectTolerance_m = 1.0;
 
+/// How well objects and their rooms were found.
 struct ObjectScore {
   RelationScore detection;
   std::size_t in_a_room = 0;              ///< Matched objects whose annotation names a room.

@@ -10,6 +10,7 @@
 
 namespace occusg {
 
+/// How predicted rooms are matched with annotated ones.
 struct RoomMetricsOptions {
   Alignment alignment = Alignment::kNone;
   std::optional<Point2> first_robot_position;  ///< A start for Alignment::kSearch [m].

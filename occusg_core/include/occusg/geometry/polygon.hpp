@@ -14,6 +14,7 @@ struct Point2 {
   friend bool operator!=(const Point2& a, const Point2& b) { return !(a == b); }
 };
 
+/// A straight line between two points [m].
 struct Segment2 {
   Point2 a;
   Point2 b;

@@ -9,6 +9,7 @@
 
 namespace occusg {
 
+/// How far a path keeps from obstacles, and how densely it is given.
 struct DrivablePathConfig {
   double robot_radius_m = 0.2;  ///< Clearance the path keeps from all that is not free [m].
   double max_spacing_m = 0.25;  ///< Between two points of the path [m].

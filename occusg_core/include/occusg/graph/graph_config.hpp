@@ -72,6 +72,7 @@ enum class GhostRemoval {
   kSeenThrough,  ///< An object goes when the space it filled has been seen to be free.
 };
 
+/// Which detections are one object, and when an object goes.
 struct ObjectLayerConfig {
   ObjectMemory memory = ObjectMemory::kRunning;
   double merge_distance_m =
@@ -101,6 +102,7 @@ enum class NavigationNodes {
   kOnePerPart,
 };
 
+/// Where navigation nodes stand.
 struct NavigationLayerConfig {
   int block_cells = 15;     ///< Side of a block [cells], 2..64.
   int min_free_cells = 25;  ///< A node is made when it stands for so many free cells.

@@ -34,6 +34,7 @@ namespace occusg {
                                                   const std::string& class_name,
                                                   const Point2& point);
 
+/// A room beside another.
 struct AdjacentRoom {
   NodeId room = 0;
   std::vector<NodeId> doors;  ///< That lead there, by id.

@@ -14,6 +14,7 @@ namespace occusg {
 /// Most detections taken from one frame; those of the best score.
 inline constexpr std::size_t kMaxDetectionsPerFrame = 300;
 
+/// What became of the detections.
 struct ObjectCounts {
   std::size_t detections = 0;  ///< Taken.
   std::size_t refused = 0;     ///< A NaN, an empty box, or a score outside 0..1.

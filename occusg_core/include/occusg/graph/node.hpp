@@ -88,6 +88,7 @@ struct DoorAttributes {
 using NodeAttributes = std::variant<AgentAttributes, ObjectAttributes, NavigationAttributes,
                                     RoomAttributes, DoorAttributes>;
 
+/// A node of the scene graph.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving a variant is noexcept where its members are.
 struct Node {
   NodeId id = 0;

@@ -12,6 +12,7 @@ namespace occusg {
 /// The nodes of one type: in the order of their ids, by id in constant time, and by place.
 class NodeTable {
  public:
+  /// By id.
   using NodeMap = std::map<NodeId, Node>;
 
   NodeTable() = default;

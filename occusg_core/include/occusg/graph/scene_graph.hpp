@@ -25,6 +25,7 @@ namespace occusg {
 /// edges lead to younger agents, and an id is never used twice. All they do is logged.
 class SceneGraph {
  public:
+  /// Nodes of a type, by id.
   using NodeMap = NodeTable::NodeMap;
   using EdgeMap = std::map<std::pair<NodeId, NodeId>, Edge>;  ///< By (source, target).
 

@@ -17,6 +17,7 @@ namespace occusg {
 /// insertion.
 class SpatialIndex {
  public:
+  /// What is indexed: an id of the caller.
   using Key = std::int64_t;
 
   /// Adds `key` at `bounds`, which must be finite; a point is a box without extent.

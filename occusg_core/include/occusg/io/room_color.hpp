@@ -5,6 +5,7 @@
 
 namespace occusg {
 
+/// A colour of 8 bits a channel.
 struct RgbColor {
   std::uint8_t r = 0;
   std::uint8_t g = 0;

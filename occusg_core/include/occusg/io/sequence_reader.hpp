@@ -28,6 +28,7 @@ struct PoseInterpolationLimits {
   double max_gap_rad = 0.525;  ///< Between the two poses [rad].
 };
 
+/// How a recording is read, where its own files do not say it.
 struct SequenceReaderConfig {
   /// A frame takes the pose (and the colour image) nearest in time, at most so far away [s].
   double max_time_offset_s = 0.02;

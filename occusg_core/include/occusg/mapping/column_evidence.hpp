@@ -6,6 +6,7 @@
 
 namespace occusg {
 
+/// Heights between which evidence about a column is gathered.
 struct ColumnEvidenceConfig {
   /// Shares are taken between the floor and this height above it, below usual ceilings [m]. A floor
   /// at most so far below another belongs to the same storey.

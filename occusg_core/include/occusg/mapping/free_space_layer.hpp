@@ -22,6 +22,7 @@ enum class HeightReference {
   kLocalFloor,  ///< The floor near the column; where none is known, all heights count.
 };
 
+/// What makes a column free or an obstacle.
 struct FreeSpaceLayerConfig {
   double min_free_gap_m = 0.30;  ///< Shortest free vertical run that makes a cell free [m].
   int min_obstacle_level = 5;  ///< Cells below this level are unknown rather than obstacle, 0..100.

@@ -46,6 +46,7 @@ enum class IntegrationMode {
   kFast,
 };
 
+/// Resolution, sensor model and limits of the map.
 struct OccupancyMapConfig {
   double resolution_m = 0.05;     ///< Voxel edge [m], [0.001, 10].
   double max_range_m = 8.0;       ///< Rays are cut here, and a cut ray hits nothing [m].

@@ -18,6 +18,7 @@ enum class BeyondMaxDepth {
   kClear,  ///< Free space up to the maximum depth, nothing hit.
 };
 
+/// Which pixels of a depth image become points.
 struct DepthProjectorConfig {
   int stride = 2;             ///< Every n-th pixel in both directions, from (0, 0) [pixels].
   double min_depth_m = 0.01;  ///< Nearer pixels are dropped, along the optical axis [m].

@@ -22,6 +22,7 @@ struct Detection {
   int source_object_id = 0;  ///< The object's id in a labelled recording; 0: there is none.
 };
 
+/// The detections of one frame, and what did not become one.
 struct DetectionResult {
   std::vector<Detection> detections;  ///< In the order of the masks.
   RefusedMasks refused;               ///< Of the segmenter and of the builder.

@@ -10,6 +10,7 @@
 
 namespace occusg {
 
+/// Which instance masks become detections.
 struct DetectionBuilderConfig {
   double cluster_eps_m = 0.05;  ///< Points nearer than this belong together [m], [0.005, 10].
   /// So do points nearer than this many pixels at the mask's depth, up to 0.5 m, [0, 100]. Far

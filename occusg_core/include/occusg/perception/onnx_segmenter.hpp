@@ -11,6 +11,7 @@
 
 namespace occusg {
 
+/// How a segmentation model is run.
 struct OnnxSegmenterConfig {
   std::string model_path;
   std::vector<std::string> class_names;  ///< In the order of the class ids.

@@ -9,6 +9,7 @@
 
 namespace occusg {
 
+/// How fast a camera may move.
 struct PoseGateConfig {
   double max_speed_m_s = 20.0;  ///< No robot moves faster [m/s], positive.
 };

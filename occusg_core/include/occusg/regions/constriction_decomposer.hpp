@@ -14,6 +14,7 @@ enum class IslandFootprint {
   kLeaveOut,             ///< A hole in the region.
 };
 
+/// What counts as a constriction between two rooms.
 struct ConstrictionDecomposerConfig {
   /// Two neighbouring basins stay apart only where the passage between them is narrower [m] ...
   double widest_door_m = 2.5;

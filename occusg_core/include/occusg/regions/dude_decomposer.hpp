@@ -25,6 +25,7 @@ enum class GridCleaning {
 /// Which 4-connected components of free space become regions.
 enum class ComponentChoice { kAll, kLargest };
 
+/// Which cuts the dual-space decomposition makes.
 struct DudeDecomposerConfig {
   /// d_thr: a cut is made where an obstacle reaches at least this deep into free space, measured
   /// from the bridge of its pocket on the convex hull, or along a free-standing obstacle [m].
@@ -66,14 +67,17 @@ struct DudeCounters {
 
 /// How the dual-space decomposition came to its cuts, to be drawn. All in the map frame [m].
 struct DudeTrace {
+  /// An edge of the convex hull that closes a pocket.
   struct Bridge {
     Segment2 segment;
     int level = 0;  ///< Even: closes obstacle that reaches into free space; odd: free space.
   };
+  /// An obstacle corner and how deep it reaches.
   struct Feature {
     Point2 at;
     double depth_m = 0.0;
   };
+  /// A cut through free space.
   struct Cut {
     Segment2 segment;
     double depth_m = 0.0;  ///< The largest depth threshold at which the cut is made.

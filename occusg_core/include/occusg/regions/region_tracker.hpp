@@ -31,6 +31,7 @@ struct AcceptanceGuardConfig {
 /// @param config outlives the parameters, which read and write it.
 [[nodiscard]] std::vector<Parameter> parametersOf(AcceptanceGuardConfig& config);
 
+/// When a region continues a track.
 struct RegionTrackerConfig {
   double min_overlap = 0.20;  ///< Polygon IoU must exceed this, 0..1.
   /// Centroids must be nearer than this [m] (paper: 1.5). Infinite, as where a corridor is cut in
@@ -64,6 +65,7 @@ struct TrackedRegions {
 
 /// What a tracker knows that the next decomposition does not tell it again.
 struct RegionTrackerState {
+  /// One region that lasts.
   struct Track {
     int id = 0;
     int missed_updates = 0;
