@@ -169,6 +169,7 @@ occusg_add_module(io
     map_reader.cpp
     map_values.cpp
     map_yaml.cpp
+    node_json.cpp
     object_labels.cpp
     object_records.cpp
     occusg_1_0_file.cpp
@@ -207,7 +208,7 @@ occusg_add_module(io
     text_lines.cpp
   USES geometry perception mapping regions graph pipeline
   LIBRARIES nlohmann_json::nlohmann_json yaml-cpp opencv_core opencv_imgproc opencv_imgcodecs
-  ALONE object_labels.cpp scene_graph_file.cpp)
+  ALONE node_json.cpp object_labels.cpp scene_graph_file.cpp)
 
 occusg_add_module(evaluation
   SOURCES

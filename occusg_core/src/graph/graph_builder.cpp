@@ -22,16 +22,17 @@ constexpr double kPeriodRoundingS = 1e-6;
 
 }  // namespace
 
-/// What each part of the graph is kept up to date by.
-struct GraphBuilder::Layers {
-  explicit Layers(const GraphBuilderConfig& config)
+/// The graph, and what keeps each part of it up to date.
+struct GraphBuilder::Parts {
+  explicit Parts(const GraphBuilderConfig& config)
       : agents(config.agents),
         rooms(config.rooms),
         objects(config.objects),
         navigation(config.navigation, config.rooms.floor_z_m),
         links(config.objects.max_link_distance_m),
         completeness(config.rooms.max_frontier_share),
-        labeler(config.room_labels) {}
+        labeler(config.room_labels),
+        config(config) {}
 
   AgentLayer agents;
   RoomLayer rooms;
@@ -41,22 +42,35 @@ struct GraphBuilder::Layers {
   RoomCompleteness completeness;
   RoomLabeler labeler;
   RoomHistory history;
+
+  GraphBuilderConfig config;
+  SceneGraph graph;
+  std::optional<double> last_update_s;
+  double last_maintenance_s = 0.0;  ///< Once there was an update: the first counts as one.
+  std::size_t updates_back_in_time = 0;
 };
 
 GraphBuilder::GraphBuilder(const GraphBuilderConfig& config)
-    : config_(checked(config)), layers_(std::make_unique<Layers>(config)) {}
+    : parts_(std::make_unique<Parts>(checked(config))) {}
 
 GraphBuilder::GraphBuilder(GraphBuilder&&) noexcept = default;
 GraphBuilder& GraphBuilder::operator=(GraphBuilder&&) noexcept = default;
+
 GraphBuilder::~GraphBuilder() = default;
 
-std::optional<NodeId> GraphBuilder::currentRoom() const { return layers_->rooms.currentRoom(); }
+const SceneGraph& GraphBuilder::graph() const { return parts_->graph; }
 
-std::size_t GraphBuilder::posesBackInTime() const { return layers_->agents.posesBackInTime(); }
+SceneGraph& GraphBuilder::mutableGraph() { return parts_->graph; }
 
-const ObjectCounts& GraphBuilder::objectCounts() const { return layers_->objects.counts(); }
+std::size_t GraphBuilder::updatesBackInTime() const { return parts_->updates_back_in_time; }
 
-std::size_t GraphBuilder::roomIdSwitches() const { return layers_->history.idSwitches(); }
+std::optional<NodeId> GraphBuilder::currentRoom() const { return parts_->rooms.currentRoom(); }
+
+std::size_t GraphBuilder::posesBackInTime() const { return parts_->agents.posesBackInTime(); }
+
+const ObjectCounts& GraphBuilder::objectCounts() const { return parts_->objects.counts(); }
+
+std::size_t GraphBuilder::roomIdSwitches() const { return parts_->history.idSwitches(); }
 
 const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose& T_map_agent,
                                        double stamp_s) {
@@ -71,86 +85,86 @@ const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose
 const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Pose& T_map_agent,
                                          double stamp_s, const MapView* map) {
   observePose(T_map_agent, stamp_s);
-  if (last_update_s_ && stamp_s < *last_update_s_) {
-    ++updates_back_in_time_;
-    return graph_;
+  if (parts_->last_update_s && stamp_s < *parts_->last_update_s) {
+    ++parts_->updates_back_in_time;
+    return parts_->graph;
   }
-  if (!last_update_s_) last_maintenance_s_ = stamp_s;
-  last_update_s_ = stamp_s;
-  const bool is_due =
-      stamp_s - last_maintenance_s_ >= config_.maintenance_period_s - kPeriodRoundingS;
-  if (is_due) last_maintenance_s_ = stamp_s;
+  if (!parts_->last_update_s) parts_->last_maintenance_s = stamp_s;
+  parts_->last_update_s = stamp_s;
+  const bool is_due = stamp_s - parts_->last_maintenance_s >=
+                      parts_->config.maintenance_period_s - kPeriodRoundingS;
+  if (is_due) parts_->last_maintenance_s = stamp_s;
   const Point2 robot{T_map_agent.translation().x(), T_map_agent.translation().y()};
   if (map != nullptr) {
-    layers_->navigation.update(graph_, *map->layer, map->changed, stamp_s);
+    parts_->navigation.update(parts_->graph, *map->layer, map->changed, stamp_s);
     if (map->occupancy != nullptr)
-      layers_->objects.removeGhosts(graph_, *map->occupancy, robot, map->max_range_m);
+      parts_->objects.removeGhosts(parts_->graph, *map->occupancy, robot, map->max_range_m);
   }
-  layers_->rooms.update(graph_, tracked, robot, stamp_s,
-                        is_due ? Maintenance::kDue : Maintenance::kNotDue);
-  layers_->links.update(graph_);
-  if (map != nullptr) layers_->completeness.update(graph_, *map->layer, map->changed);
-  layers_->labeler.update(graph_);
-  layers_->history.update(graph_);
-  return graph_;
+  parts_->rooms.update(parts_->graph, tracked, robot, stamp_s,
+                       is_due ? Maintenance::kDue : Maintenance::kNotDue);
+  parts_->links.update(parts_->graph);
+  if (map != nullptr) parts_->completeness.update(parts_->graph, *map->layer, map->changed);
+  parts_->labeler.update(parts_->graph);
+  parts_->history.update(parts_->graph);
+  return parts_->graph;
 }
 
 void GraphBuilder::observePose(const Pose& T_map_agent, double stamp_s) {
-  if (std::isfinite(stamp_s)) graph_.setStamp(stamp_s);
-  layers_->agents.observe(graph_, T_map_agent, stamp_s);
+  if (std::isfinite(stamp_s)) parts_->graph.setStamp(stamp_s);
+  parts_->agents.observe(parts_->graph, T_map_agent, stamp_s);
 }
 
 void GraphBuilder::observeObjects(const std::vector<Detection>& detections, double stamp_s) {
-  graph_.setStamp(stamp_s);
-  layers_->objects.observe(graph_, detections, stamp_s);
+  parts_->graph.setStamp(stamp_s);
+  parts_->objects.observe(parts_->graph, detections, stamp_s);
 }
 
 void GraphBuilder::setRoomLabel(NodeId room, const std::string& label) {
-  setLabelByPerson(graph_, room, label);
-  layers_->labeler.update(graph_);
+  setLabelByPerson(parts_->graph, room, label);
+  parts_->labeler.update(parts_->graph);
 }
 
 const SceneGraph& GraphBuilder::finish(double stamp_s) {
   maintainFinally(stamp_s, nullptr);
-  return graph_;
+  return parts_->graph;
 }
 
 const SceneGraph& GraphBuilder::finish(double stamp_s, const MapView& map) {
   maintainFinally(stamp_s, &map);
-  return graph_;
+  return parts_->graph;
 }
 
 void GraphBuilder::maintainFinally(double stamp_s, const MapView* map) {
   if (!std::isfinite(stamp_s))
     throw refuse("graph", "the last stamp is not finite", "seconds are expected");
-  graph_.setStamp(stamp_s);
-  layers_->rooms.finish(graph_, std::max(stamp_s, last_update_s_.value_or(stamp_s)));
-  layers_->links.update(graph_);
-  if (map != nullptr) layers_->completeness.update(graph_, *map->layer, map->changed);
-  layers_->labeler.update(graph_);
-  layers_->history.update(graph_);
+  parts_->graph.setStamp(stamp_s);
+  parts_->rooms.finish(parts_->graph, std::max(stamp_s, parts_->last_update_s.value_or(stamp_s)));
+  parts_->links.update(parts_->graph);
+  if (map != nullptr) parts_->completeness.update(parts_->graph, *map->layer, map->changed);
+  parts_->labeler.update(parts_->graph);
+  parts_->history.update(parts_->graph);
 }
 
 GraphBuilderState GraphBuilder::state() const {
-  return {graph_, layers_->rooms.state(), last_update_s_, last_maintenance_s_,
-          layers_->objects.state()};
+  return {parts_->graph, parts_->rooms.state(), parts_->last_update_s, parts_->last_maintenance_s,
+          parts_->objects.state()};
 }
 
 void GraphBuilder::restore(GraphBuilderState state, double stamp_s) {
   reset();
-  graph_ = std::move(state.graph);
-  layers_->agents.restore(graph_, stamp_s);
-  layers_->rooms.restore(graph_, state.rooms);
-  layers_->objects.restore(graph_, state.objects);
-  layers_->navigation.restore(graph_);
-  layers_->completeness.restore(graph_);
+  parts_->graph = std::move(state.graph);
+  parts_->agents.restore(parts_->graph, stamp_s);
+  parts_->rooms.restore(parts_->graph, state.rooms);
+  parts_->objects.restore(parts_->graph, state.objects);
+  parts_->navigation.restore(parts_->graph);
+  parts_->completeness.restore(parts_->graph);
   // The other layers find all of the graph in its log of changes; the history must know the rooms
   // before the first update removes one.
-  layers_->history.update(graph_);
-  last_update_s_ = state.last_update_s;
-  last_maintenance_s_ = state.last_maintenance_s;
+  parts_->history.update(parts_->graph);
+  parts_->last_update_s = state.last_update_s;
+  parts_->last_maintenance_s = state.last_maintenance_s;
 }
 
-void GraphBuilder::reset() { *this = GraphBuilder(config_); }
+void GraphBuilder::reset() { parts_ = std::make_unique<Parts>(parts_->config); }
 
 }  // namespace occusg

@@ -24,8 +24,8 @@ constexpr EdgeType kEdgeTypes[kEdgeTypeCount] = {
 
 /// One past the last id before those of the next type begin.
 NodeId endOfFirstIds(NodeType type) {
-  return type == NodeType::kDoor ? kFurtherAgents
-                                 : firstId(static_cast<NodeType>(indexOf(type) + 1));
+  const std::size_t next = indexOf(type) + 1;
+  return next == kNodeTypeCount ? kFurtherAgents : kNodeTypes[next].first_id;
 }
 
 NodeId endOfIds(NodeType type) { return type == NodeType::kAgent ? kIdEnd : endOfFirstIds(type); }
@@ -98,10 +98,7 @@ NodeId idOfNumber(NodeType type, NodeId number) {
   return is_further ? id - endOfFirstIds(type) + kFurtherAgents : id;
 }
 
-const char* nameOf(NodeType type) {
-  constexpr const char* kNames[kNodeTypeCount] = {"AGENT", "OBJECT", "NAVIGATION", "ROOM", "DOOR"};
-  return kNames[indexOf(type)];
-}
+const char* nameOf(NodeType type) { return kNodeTypes[indexOf(type)].name; }
 
 const char* nameOf(EdgeType type) {
   constexpr const char* kNames[kEdgeTypeCount] = {

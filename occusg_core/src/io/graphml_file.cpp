@@ -82,7 +82,11 @@ std::string textOf(const nlohmann::json& value) {
 
 /// What a node has by its type.
 struct AttributeData {
-  std::string operator()(const AgentAttributes& /*agent*/) const { return ""; }
+  /// Types without attributes of their own in this format.
+  template <typename Attributes>
+  std::string operator()(const Attributes& /*attributes*/) const {
+    return "";
+  }
   std::string operator()(const ObjectAttributes& object) const {
     std::string text = data("label", escaped(object.class_name)) +
                        data("score", object.score, kFineDigits) +

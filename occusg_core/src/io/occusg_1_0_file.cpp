@@ -67,7 +67,11 @@ struct Described {
 };
 
 struct Describe {
-  Described operator()(const AgentAttributes& /*agent*/) const { return {}; }
+  /// Types the published system gives no attributes.
+  template <typename Attributes>
+  Described operator()(const Attributes& /*attributes*/) const {
+    return {};
+  }
   Described operator()(const ObjectAttributes& object) const {
     Described described;
     described.semantic = {{"class_name", object.class_name},
@@ -101,7 +105,6 @@ struct Describe {
                                      {"created_reason", nameOf(room.reason)}});
     return described;
   }
-  Described operator()(const DoorAttributes& /*door*/) const { return {}; }
 };
 
 json membersOf(const Node& node) {

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "io/graph_json.hpp"
 #include "io/json_text.hpp"
+#include "io/node_json.hpp"
 #include "occusg/error.hpp"
 
 namespace occusg {
@@ -17,58 +17,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kScoreDigits = 6;
 constexpr int kStampDigits = 6;
 
-json holesOf(const Polygon& polygon) {
-  json holes = json::array();
-  for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
-  return holes;
-}
-
-/// The members a node has by its type.
-struct AttributeMembers {
-  json operator()(const AgentAttributes& agent) const {
-    const Eigen::Quaterniond q = canonicalRotation(agent.T_map_agent);
-    return {{"orientation", json::array({q.x(), q.y(), q.z(), q.w()})}};
-  }
-  json operator()(const ObjectAttributes& object) const {
-    json members = {{"class", object.class_name},
-                    {"score", rounded(object.score, kScoreDigits)},
-                    {"observations", object.observations},
-                    {"class_histogram", histogramOf(object)}};
-    if (!object.box.isEmpty()) members["box"] = cornersOf(object.box);
-    return members;
-  }
-  json operator()(const NavigationAttributes& navigation) const {
-    return {{"block", json::array({navigation.block.x, navigation.block.y})},
-            {"free_cells", navigation.free_cells}};
-  }
-  json operator()(const RoomAttributes& room) const {
-    json members = {{"name", room.name},
-                    {"state", nameOf(room.state)},
-                    {"frontier_share", rounded(room.frontier_share, kScoreDigits)},
-                    {"label", room.label},
-                    {"label_score", rounded(room.label_score, kScoreDigits)},
-                    {"label_source", nameOf(room.label_source)},
-                    {"region_id", room.region_id},
-                    {"reason", nameOf(room.reason)},
-                    {"area_m2", rounded(room.area_m2)},
-                    {"polygon", jsonOf(room.polygon.outer)},
-                    {"holes", holesOf(room.polygon)}};
-    if (room.unsupported_since_s)
-      members["unsupported_since_s"] = rounded(*room.unsupported_since_s, kStampDigits);
-    return members;
-  }
-  json operator()(const DoorAttributes& door) const {
-    return {{"segment", jsonOf(door.segment)},
-            {"width_m", rounded(door.width_m)},
-            {"rooms", json::array({door.room_a, door.room_b})}};
-  }
-};
-
 json membersOf(const Node& node) {
-  json members = std::visit(AttributeMembers{}, node.attributes);
+  json members = jsonOf(node.attributes);
   members["id"] = node.id;
   members["type"] = nameOf(node.type());
   members["position"] = jsonOf(node.position);

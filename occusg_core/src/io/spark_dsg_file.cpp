@@ -42,10 +42,9 @@ std::optional<Layer> layerOf(NodeType type) {
       return Layer{3, 0, 'p'};
     case NodeType::kRoom:
       return Layer{4, 0, 'R'};
-    case NodeType::kDoor:
+    default:
       return std::nullopt;
   }
-  return std::nullopt;
 }
 
 /// Character in the top byte, number below.
@@ -167,7 +166,11 @@ class AttributeMembers {
     return members;
   }
 
-  json operator()(const DoorAttributes& /*door*/) const { return json::object(); }
+  /// Types that no layer of this format takes.
+  template <typename Attributes>
+  json operator()(const Attributes& /*attributes*/) const {
+    return json::object();
+  }
 
  private:
   const Node& node_;

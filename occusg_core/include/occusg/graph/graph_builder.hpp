@@ -70,10 +70,10 @@ class GraphBuilder {
   const SceneGraph& finish(double stamp_s);
   const SceneGraph& finish(double stamp_s, const MapView& map);
 
-  [[nodiscard]] const SceneGraph& graph() const { return graph_; }
+  [[nodiscard]] const SceneGraph& graph() const;
   /// For entities other stages contribute, between updates. What its layers made belongs to the
   /// builder.
-  [[nodiscard]] SceneGraph& mutableGraph() { return graph_; }
+  [[nodiscard]] SceneGraph& mutableGraph();
 
   /// The room the robot was in at the last update.
   [[nodiscard]] std::optional<NodeId> currentRoom() const;
@@ -81,7 +81,7 @@ class GraphBuilder {
   [[nodiscard]] const ObjectCounts& objectCounts() const;
   /// How often a confirmed room lost its id to another.
   [[nodiscard]] std::size_t roomIdSwitches() const;
-  [[nodiscard]] std::size_t updatesBackInTime() const { return updates_back_in_time_; }
+  [[nodiscard]] std::size_t updatesBackInTime() const;
 
   [[nodiscard]] GraphBuilderState state() const;
   /// Goes on where another builder was.
@@ -91,18 +91,13 @@ class GraphBuilder {
   void reset();
 
  private:
-  struct Layers;
+  struct Parts;
 
   void maintainFinally(double stamp_s, const MapView* map);
   const SceneGraph& assemble(const TrackedRegions& tracked, const Pose& T_map_agent, double stamp_s,
                              const MapView* map);
 
-  GraphBuilderConfig config_;
-  SceneGraph graph_;
-  std::unique_ptr<Layers> layers_;
-  std::optional<double> last_update_s_;
-  double last_maintenance_s_ = 0.0;  ///< Once there was an update: the first counts as one.
-  std::size_t updates_back_in_time_ = 0;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace occusg

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -18,14 +19,29 @@ namespace occusg {
 /// Type offset plus a counter per type; never used again after a removal.
 using NodeId = std::int64_t;
 
-/// In the order of `NodeAttributes`.
+/// In the order of `NodeAttributes` and of `kNodeTypes`.
 enum class NodeType { kAgent, kObject, kNavigation, kRoom, kDoor };
-inline constexpr std::size_t kNodeTypeCount = 5;
+
+/// What is the same for all nodes of a type.
+struct NodeTypeInfo {
+  NodeType type;
+  const char* name;  ///< In files and messages.
+  NodeId first_id;   ///< A type holds the ids up to the next type's first one.
+};
+
+/// Every type of node. CONTRIBUTING says which other files a new one needs.
+inline constexpr std::array<NodeTypeInfo, 5> kNodeTypes = {{
+    {NodeType::kAgent, "AGENT", 0},
+    {NodeType::kObject, "OBJECT", 1'000'000},
+    {NodeType::kNavigation, "NAVIGATION", 2'000'000},
+    {NodeType::kRoom, "ROOM", 4'000'000},
+    {NodeType::kDoor, "DOOR", 5'000'000},
+}};
+inline constexpr std::size_t kNodeTypeCount = kNodeTypes.size();
 
 /// First id of a type. A type holds the ids up to the next type's first one.
 [[nodiscard]] constexpr NodeId firstId(NodeType type) {
-  constexpr NodeId kFirst[kNodeTypeCount] = {0, 1'000'000, 2'000'000, 4'000'000, 5'000'000};
-  return kFirst[static_cast<std::size_t>(type)];
+  return kNodeTypes[static_cast<std::size_t>(type)].first_id;
 }
 /// Agents, which a robot makes as long as it runs, go on here when the ids before the first
 /// object's are used up.
@@ -87,6 +103,7 @@ struct DoorAttributes {
 
 using NodeAttributes = std::variant<AgentAttributes, ObjectAttributes, NavigationAttributes,
                                     RoomAttributes, DoorAttributes>;
+static_assert(std::variant_size_v<NodeAttributes> == kNodeTypeCount);
 
 /// A node of the scene graph.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving a variant is noexcept where its members are.
