@@ -39,7 +39,7 @@ bool goesOn() { return is_asked_to_end == 0 && ros::ok(); }
 /// One nodelet of a manager, named as this node.
 class ManagedNodelet {
  public:
-  ManagedNodelet(std::string type, std::string manager)
+  ManagedNodelet(std::string type, const std::string& manager)
       : type_(std::move(type)), manager_(ros::names::resolve(manager)) {}
 
   /// Waits for the manager, and names it when it does not come.

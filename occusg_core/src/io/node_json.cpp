@@ -157,6 +157,7 @@ Eigen::Vector3d vectorOf(const Members& members, const json& value, const char* 
 NodeAttributes attributesIn(const Members& members, const Eigen::Vector3d& position,
                             RingReader& rings) {
   std::vector<NodeType> types;
+  types.reserve(kNodeTypes.size());
   for (const NodeTypeInfo& info : kNodeTypes) types.push_back(info.type);
   switch (members.named("type", types)) {
     case NodeType::kAgent:
