@@ -46,9 +46,9 @@ MappingNode::MappingNode(const NodeHandles& handles)
       live_(settings_.live),
       map_(std::make_unique<occusg::MapPipeline>(config_)),
       pose_gate_(settings_.live.pose_gate),
-      generations_(expandedFolder(settings_.save_folder, handles.inputs.getNamespace()), runId(),
-                   handles.name),
-      saver_(settings_.autosave_period_s, started_s_,
+      generations_(expandedFolder(settings_.saving.save_folder, handles.inputs.getNamespace()),
+                   runId(), handles.name),
+      saver_(settings_.saving.autosave_period_s, started_s_,
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
       tf_input_(tf_),
@@ -61,14 +61,14 @@ MappingNode::MappingNode(const NodeHandles& handles)
 }
 
 MappingNode::~MappingNode() {
-  if (settings_.save_on_exit) saver_.hurry();
+  if (settings_.saving.save_on_exit) saver_.hurry();
   health_timer_.stop();
   image_subscriber_.shutdown();
   info_subscriber_.shutdown();
   for (ros::ServiceServer& service : services_) service.shutdown();
   reconfigure_.reset();
   worker_.reset();
-  if (!settings_.save_on_exit || map_->counts().frames == 0) return;
+  if (!settings_.saving.save_on_exit || map_->counts().frames == 0) return;
   try {
     ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
   } catch (const std::exception& error) {

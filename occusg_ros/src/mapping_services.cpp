@@ -41,7 +41,7 @@ void MappingNode::showNewMap() {
 }
 
 std::string MappingNode::folderOf(const std::string& name) const {
-  return expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()) + "/" +
+  return expandedFolder(settings_.saving.save_folder, handles_.inputs.getNamespace()) + "/" +
          checkedSaveName(name);
 }
 
@@ -94,7 +94,7 @@ void MappingNode::load(const std::string& name) {
 // The rooms beside the map are checked too: the other node begins anew when they cannot be used,
 // and so must this one.
 void MappingNode::resume() {
-  const std::string name = generations_.hasCrashed() ? kDefaultSaveName : settings_.resume;
+  const std::string name = generations_.hasCrashed() ? kDefaultSaveName : settings_.saving.resume;
   if (name.empty()) return;
   if (generations_.hasCrashed() && !std::filesystem::exists(folderOf(name)))
     return;  // killed before it saved
@@ -113,7 +113,7 @@ void MappingNode::resume() {
 
 bool MappingNode::onReset(std_srvs::Trigger::Request& /*request*/,
                           std_srvs::Trigger::Response& response) {
-  if (!settings_.allow_reset) {
+  if (!settings_.saving.allow_reset) {
     response.success = false;
     response.message = "~allow_reset is false";
     return true;
@@ -145,8 +145,8 @@ bool MappingNode::onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Res
   const bool done = worker_->run(
       [this, name = request.name, outcome] {
         try {
-          checkQuota(expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()),
-                     checkedSaveName(name), settings_.save_quota);
+          checkQuota(expandedFolder(settings_.saving.save_folder, handles_.inputs.getNamespace()),
+                     checkedSaveName(name), settings_.saving.save_quota);
           outcome->folder = save(name);
         } catch (const std::exception& error) {
           outcome->problem = error.what();

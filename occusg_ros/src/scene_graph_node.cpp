@@ -42,9 +42,9 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
       last_graph_(boost::make_shared<occusg::SceneGraphStamped>()),
       layout_(settings_.layout),
       rooms_(std::make_unique<occusg::RoomPipeline>(config_)),
-      generations_(expandedFolder(settings_.save_folder, handles.inputs.getNamespace()), runId(),
-                   handles.name),
-      saver_(settings_.autosave_period_s, started_s_,
+      generations_(expandedFolder(settings_.saving.save_folder, handles.inputs.getNamespace()),
+                   runId(), handles.name),
+      saver_(settings_.saving.autosave_period_s, started_s_,
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
       tf_input_(tf_),
@@ -59,7 +59,7 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
 }
 
 SceneGraphNode::~SceneGraphNode() {
-  if (settings_.save_on_exit) saver_.hurry();
+  if (settings_.saving.save_on_exit) saver_.hurry();
   health_timer_.stop();
   tick_timer_.stop();
   grid_subscriber_.shutdown();
@@ -71,7 +71,7 @@ SceneGraphNode::~SceneGraphNode() {
   reconfigure_.reset();
   worker_.reset();
   marker_publisher_.shutdown();
-  if (!settings_.save_on_exit || !rooms_->lastUpdate()) return;
+  if (!settings_.saving.save_on_exit || !rooms_->lastUpdate()) return;
   try {
     ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
   } catch (const std::exception& error) {

@@ -40,7 +40,7 @@ void repair(occusg::SessionState& state, const std::string& folder) {
 }  // namespace
 
 std::string SceneGraphNode::folderOf(const std::string& name) const {
-  return expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()) + "/" +
+  return expandedFolder(settings_.saving.save_folder, handles_.inputs.getNamespace()) + "/" +
          checkedSaveName(name);
 }
 
@@ -126,7 +126,7 @@ void SceneGraphNode::load(const std::string& name) {
 }
 
 void SceneGraphNode::resume() {
-  const std::string name = generations_.hasCrashed() ? kDefaultSaveName : settings_.resume;
+  const std::string name = generations_.hasCrashed() ? kDefaultSaveName : settings_.saving.resume;
   if (name.empty()) return;
   if (generations_.hasCrashed() && !std::filesystem::exists(folderOf(name)))
     return;  // killed before it saved
@@ -157,8 +157,8 @@ bool SceneGraphNode::onSave(occusg::SaveMap::Request& request,
                             occusg::SaveMap::Response& response) {
   const auto folder = std::make_shared<std::string>();
   std::string problem = onWorker([this, name = request.name, folder] {
-    checkQuota(expandedFolder(settings_.save_folder, handles_.inputs.getNamespace()),
-               checkedSaveName(name), settings_.save_quota);
+    checkQuota(expandedFolder(settings_.saving.save_folder, handles_.inputs.getNamespace()),
+               checkedSaveName(name), settings_.saving.save_quota);
     *folder = save(name);
   });
   if (problem.empty()) problem = askMapping<occusg::SaveMap>("save", request);
@@ -185,7 +185,7 @@ bool SceneGraphNode::onLoad(occusg::LoadMap::Request& request,
 
 bool SceneGraphNode::onReset(std_srvs::Trigger::Request& request,
                              std_srvs::Trigger::Response& response) {
-  std::string problem = settings_.allow_reset ? "" : "~allow_reset is false";
+  std::string problem = settings_.saving.allow_reset ? "" : "~allow_reset is false";
   if (problem.empty()) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);

@@ -9,7 +9,7 @@
 #include "occusg_ros/markers.hpp"
 #include "occusg_ros/parameters.hpp"
 #include "occusg_ros/pose_input.hpp"
-#include "occusg_ros/saved_folder.hpp"
+#include "saving_settings.hpp"
 
 namespace occusg_ros {
 
@@ -27,12 +27,7 @@ struct SceneGraphSettings {
   std::string scene = "scene";
   double tf_timeout_s = 0.5;
   double tf_cache_s = 10.0;
-  bool allow_reset = true;
-  bool save_on_exit = true;
-  double autosave_period_s = 30.0;
-  std::string save_folder;
-  SaveQuota save_quota;
-  std::string resume;
+  SavingSettings saving;
   std::string mapping_node = "mapping";
   MarkerLayout layout;
 };
@@ -46,26 +41,27 @@ struct SceneGraphSettings {
 /// @param settings outlives the parameters.
 [[nodiscard]] inline std::vector<occusg::Parameter> parametersOf(SceneGraphSettings& settings) {
   using occusg::choiceParameter;
-  using occusg::countParameter;
   using occusg::numberParameter;
   const std::vector<std::pair<std::string, bool>> kYesNo = {{"true", true}, {"false", false}};
   MarkerLayout& layout = settings.layout;
-  return {
+  std::vector<occusg::Parameter> parameters = {
       textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
       textParameter(settings.robot_frame,
-                    {"robot_frame", "", "Frame of the robot; with pose_source tf."}),
+                    {"robot_frame", "", "Frame of the robot, used with pose_source tf."}),
       choiceParameter<PoseSource>(settings.pose_source,
                                   {{"tf", PoseSource::kTf},
                                    {"odometry", PoseSource::kOdometry},
                                    {"pose", PoseSource::kPose}},
-                                  {"pose_source", "", "Where the robot's pose comes from."}),
+                                  {"pose_source", "", "Source of the robot's pose."}),
       textParameter(
           settings.map,
           {"map", "", "Topic of the 2D map, below the robot's namespace; empty: free_space."}),
-      textParameter(settings.odom, {"odom", "", "Topic of the odometry, likewise; empty: odom."}),
       textParameter(
-          settings.pose,
-          {"pose", "", "Topic of the poses with pose_source pose, likewise; empty: pose."}),
+          settings.odom,
+          {"odom", "", "Topic of the odometry, below the robot's namespace; empty: odom."}),
+      textParameter(settings.pose, {"pose", "",
+                                    "Topic of the poses, below the robot's namespace, used with "
+                                    "pose_source pose; empty: pose."}),
       numberParameter(
           settings.free_below_percent, {0.0, 100.0},
           {"free_below_percent", "%",
@@ -77,47 +73,34 @@ struct SceneGraphSettings {
       numberParameter(settings.robot_radius_m, {0.0, 10.0},
                       {"robot_radius", "m",
                        "Clearance that paths of get_path keep from all that is not free."}),
-      textParameter(settings.scene, {"scene", "", "What the scene is called."}),
-      numberParameter(settings.tf_timeout_s, {0.0, 60.0},
-                      {"tf_timeout_s", "s", "How long free space waits for the pose of its time."}),
+      textParameter(settings.scene, {"scene", "", "Name of the scene in the results."}),
+      numberParameter(
+          settings.tf_timeout_s, {0.0, 60.0},
+          {"tf_timeout_s", "s", "Time that free space waits for the pose at its stamp."}),
       numberParameter(settings.tf_cache_s, {1.0, 3600.0},
-                      {"tf_cache_s", "s", "How long transforms are remembered."}),
-      choiceParameter<bool>(settings.allow_reset, kYesNo,
-                            {"allow_reset", "", "Whether the reset service may be used."}),
-      choiceParameter<bool>(
-          settings.save_on_exit, kYesNo,
-          {"save_on_exit", "", "Whether the rooms are saved as 'last' at the end."}),
-      numberParameter(
-          settings.autosave_period_s, {0.0, 86400.0},
-          {"autosave_period_s", "s",
-           "The rooms are saved as 'last' so often while they change; 0: only at the end."}),
-      countParameter(
-          settings.save_quota.max_saves, {1, 100'000},
-          {"max_saves", "", "Most names under which the service ~save keeps something."}),
-      numberParameter(
-          settings.save_quota.min_free_disk_mb, {0.0, 1e9},
-          {"min_free_disk_mb", "MB", "What the service ~save leaves free on the disk."}),
+                      {"tf_cache_s", "s", "Time for which transforms are kept."}),
       textParameter(
-          settings.save_folder,
-          {"save_folder", "",
-           "Where rooms are saved; empty: ~/.ros/occusg, and below it the robot's namespace."}),
-      textParameter(settings.resume,
-                    {"resume", "", "Name of a saved session to go on from; empty: begin anew."}),
-      textParameter(settings.mapping_node,
-                    {"mapping_node", "",
-                     "Node whose map is saved, loaded and reset along; empty: there is none."}),
+          settings.mapping_node,
+          {"mapping_node", "",
+           "Node whose map is saved, loaded and reset together with the rooms; empty: none."}),
       numberParameter(layout.room_height_m, {-1000.0, 1000.0},
-                      {"room_height_m", "m", "Room nodes float so high above their floor."}),
+                      {"room_height_m", "m", "Height of room nodes above their floor in rviz."}),
       numberParameter(layout.object_height_m, {-1000.0, 1000.0},
-                      {"object_height_m", "m", "Objects are drawn so much above where they are."}),
-      numberParameter(layout.navigation_height_m, {-1000.0, 1000.0},
-                      {"navigation_height_m", "m", "Navigation nodes float so high."}),
+                      {"object_height_m", "m", "Height of objects above their place in rviz."}),
+      numberParameter(
+          layout.navigation_height_m, {-1000.0, 1000.0},
+          {"navigation_height_m", "m", "Height of navigation nodes above the floor in rviz."}),
       numberParameter(layout.room_opacity, {0.0, 1.0},
-                      {"room_opacity", "", "Of the coloured floor of a room."}),
-      choiceParameter<bool>(layout.show_regions, kYesNo,
-                            {"show_regions", "", "Draw the outlines of all regions."}),
-      choiceParameter<bool>(layout.show_containment, kYesNo,
-                            {"show_containment", "", "Draw lines to what is in a room."})};
+                      {"room_opacity", "", "Opacity of the coloured floors of rooms in rviz."}),
+      choiceParameter<bool>(
+          layout.show_regions, kYesNo,
+          {"show_regions", "", "Whether the outlines of all regions are shown in rviz."}),
+      choiceParameter<bool>(
+          layout.show_containment, kYesNo,
+          {"show_containment", "", "Whether lines join rooms to their contents in rviz."})};
+  const std::vector<occusg::Parameter> saving = parametersOf(settings.saving, "rooms");
+  parameters.insert(parameters.end(), saving.begin(), saving.end());
+  return parameters;
 }
 
 }  // namespace occusg_ros

@@ -27,7 +27,8 @@ std::map<std::string, std::string> valuesIn(const LiveConfig& config) {
   return values;
 }
 
-/// What can change live has the range and the default of the table the node is checked by.
+/// What can change live has the range, the default and the description of the table the node is
+/// checked by.
 template <typename LiveConfig, typename Settings>
 void expectTheTableSaysTheSame(std::size_t count) {
   Settings settings;
@@ -47,13 +48,23 @@ void expectTheTableSaysTheSame(std::size_t count) {
         is_choice ? row->allowed : "[" + least.at(name) + ", " + most.at(name) + "]";
     EXPECT_EQ(row->allowed, range) << name;
   }
+  for (const auto& live : LiveConfig::__getParamDescriptions__()) {
+    const auto row = std::find_if(table.begin(), table.end(), [&](const auto& parameter) {
+      return parameter.key == live->name;
+    });
+    ASSERT_NE(row, table.end()) << live->name;
+    const std::string unit =
+        row->unit.empty() || row->unit == "frames" ? "" : " [" + row->unit + "]";
+    EXPECT_EQ(row->description,
+              live->description.substr(0, live->description.size() - unit.size()) + ".");
+  }
 }
 
-TEST(LiveParameters, OfMappingHaveTheRangesAndDefaultsOfItsTable) {
+TEST(LiveParameters, OfMappingAreThoseOfItsTable) {
   expectTheTableSaysTheSame<occusg::MappingLiveConfig, MappingSettings>(5);
 }
 
-TEST(LiveParameters, OfTheSceneGraphHaveTheRangesAndDefaultsOfItsTable) {
+TEST(LiveParameters, OfTheSceneGraphAreThoseOfItsTable) {
   expectTheTableSaysTheSame<occusg::SceneGraphLiveConfig, SceneGraphSettings>(6);
 }
 
