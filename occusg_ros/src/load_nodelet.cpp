@@ -20,8 +20,9 @@ namespace {
 
 const ros::WallDuration kPeriod(0.2);
 const ros::WallDuration kPatience(5.0);
-/// Between losing a nodelet and loading it again. Subscribers that have not noticed yet that its
-/// topics were gone would take the new ones, which have the same address, for those they hear.
+/// Between two looks at the manager, and before a lost nodelet is loaded again: subscribers that
+/// have not noticed yet that its topics were gone would take the new ones, which have the same
+/// address, for those they hear.
 const ros::WallDuration kPause(1.0);
 
 volatile std::sig_atomic_t is_asked_to_end = 0;
@@ -98,7 +99,7 @@ class ManagedNodelet {
         if (hasManager()) return false;
         continue;
       }
-      while (goesOn() && isLoaded()) kPeriod.sleep();
+      while (goesOn() && isLoaded()) pause();
       if (!goesOn()) break;
       ROS_WARN_STREAM(name_ << ": is no longer in " << manager_ << "; it is loaded again");
       pause();
