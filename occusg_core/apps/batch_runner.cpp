@@ -275,7 +275,7 @@ BatchEnd runBatch(const BatchOptions& options) {
 
 ExitCode runAndReport(const BatchOptions& options) {
   if (runBatch(options) == BatchEnd::kInterrupted) {
-    std::cerr << "occusg: interrupted; the same command goes on where it stopped\n";
+    std::cerr << "occusg: interrupted; the same command continues where it stopped\n";
     return kFailed;
   }
   if (options.shard.count > 1) {

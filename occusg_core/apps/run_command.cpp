@@ -85,7 +85,7 @@ po::options_description runOptions() {
       "map", po::value<std::string>(),
       "OctoMap (.bt, .ot) to start from; same resolution and frame")(
       "resume", po::value<std::string>(),
-      "folder of a saved session to go on from, with its room ids; one without a map needs "
+      "folder of a saved session to continue from, with its room ids; one without a map needs "
       "--map too")("save-session", po::value<std::string>(),
                    "folder to save what the system knows to; a session there is replaced")(
       "schema", po::value<std::string>(),
@@ -243,7 +243,7 @@ std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) 
 void failWhenNoFrameIsNew(const RunOutcome& outcome, const std::string& scene) {
   if (outcome.frames_known == 0 || outcome.frames_known < outcome.frames_read) return;
   throw refuse(scene, "has no frame that is younger than the session",
-               "a recording that goes on from it is needed");
+               "a recording that continues it is needed");
 }
 
 void failWhenMostFramesAreBad(const RunOutcome& outcome, const std::string& scene) {

@@ -338,7 +338,7 @@ void MappingNode::process(const WaitingImage& waiting) {
     return;
   }
   if (pose == PoseVerdict::kRelocalised)
-    ROS_WARN_STREAM(handles_.name << ": the robot was relocalised; the map goes on from there");
+    ROS_WARN_STREAM(handles_.name << ": the robot was relocalised; mapping continues from there");
   const std::optional<occusg::CameraModel> camera = this->camera();
   if (!camera) return;
   try {

@@ -103,7 +103,7 @@ void MappingNode::resume() {
     if (std::filesystem::exists(sessionIn(folder)))
       (void)occusg::loadSession(sessionIn(folder), config_.occupancy);
     load(name);
-    ROS_INFO_STREAM(handles_.name << ": goes on from the map " << folder);
+    ROS_INFO_STREAM(handles_.name << ": continues from the map " << folder);
   } catch (const std::exception& error) {
     const std::string aside = generations_.setAside(name);
     ROS_WARN_STREAM(handles_.name << ": begins with an empty map: " << error.what()

@@ -132,7 +132,7 @@ void SceneGraphNode::resume() {
     return;  // killed before it saved
   try {
     load(name);
-    ROS_INFO_STREAM(handles_.name << ": goes on from the session " << folderOf(name) << " with "
+    ROS_INFO_STREAM(handles_.name << ": continues from the session " << folderOf(name) << " with "
                                   << lastGraph()->rooms.size() << " rooms");
   } catch (const std::exception& error) {
     const std::string aside = generations_.setAside(name);

@@ -54,9 +54,9 @@ struct SemanticsSettings {
                     {"depth_image", "", "As of the mapping node; empty: depth/image_rect."}),
       textParameter(settings.depth_info,
                     {"depth_info", "", "As of the mapping node; empty: depth/camera_info."}),
-      textParameter(
-          settings.rgb_image,
-          {"rgb_image", "", "Topic of the colour images, likewise; empty: rgb/image_rect_color."}),
+      textParameter(settings.rgb_image, {"rgb_image", "",
+                                         "Topic of the colour images, below the robot's namespace; "
+                                         "empty: rgb/image_rect_color."}),
       textParameter(settings.model, {"model", "", "ONNX file of a YOLO segmentation model."}),
       textParameter(settings.classes, {"classes", "", "Names of its classes, one a line."}),
       occusg::numberParameter(settings.depth_units_per_m, {1.0, 1e6},

@@ -41,7 +41,7 @@ using MarkerSet = std::map<std::pair<std::string, std::int32_t>, visualization_m
 [[nodiscard]] visualization_msgs::MarkerArray markerChanges(const MarkerSet& shown,
                                                             const MarkerSet& wanted);
 
-/// All of a set, for somebody who has seen nothing yet.
+/// All of a set, for a new subscriber.
 [[nodiscard]] visualization_msgs::MarkerArray allMarkers(const MarkerSet& set);
 
 }  // namespace occusg_ros

@@ -8,7 +8,7 @@
 namespace occusg_ros {
 
 /// Text of a message, made fit for a log and for diagnostics: a peer may send megabytes, and
-/// characters that a terminal obeys. What is cut off is told.
+/// characters that a terminal obeys. The text says how much was cut off.
 [[nodiscard]] inline std::string shownText(const std::string& text, std::size_t longest = 400) {
   std::string shown = text.substr(0, longest);
   std::replace_if(

@@ -31,7 +31,7 @@ class WaitingMap {
   /// The map that waits, once it has its gaps or they need not be waited for any longer.
   [[nodiscard]] std::optional<Map> ready(GapsPublished published, double now_s) const;
 
-  /// `map` is done with; a newer one that came meanwhile goes on waiting.
+  /// `map` has been used; a newer one that arrived meanwhile keeps waiting.
   void noteUsed(const Map& map);
 
   [[nodiscard]] bool empty() const { return !waiting_; }

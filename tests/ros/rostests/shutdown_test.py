@@ -228,7 +228,7 @@ class ShutdownTest(unittest.TestCase):
         session = os.path.join(folder, "last", "session", "session.json")
         wait_until(lambda: os.path.exists(session), 30, "the session is saved")
         subprocess.check_call(["pkill", "-KILL", "-P", str(launch.pid), "-f", "nodelet manager"])
-        wait_until(lambda: log.said("goes on from the session", folder), 60, "the graph goes on")
+        wait_until(lambda: log.said("continues from the session", folder), 60, "the graph goes on")
         rooms = rospy.ServiceProxy("/occusg/list_rooms", ListRooms)
         rospy.wait_for_service("/occusg/list_rooms", 30)
 

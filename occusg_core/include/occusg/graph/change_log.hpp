@@ -44,7 +44,7 @@ struct GraphChanges {
 
 enum class ChangeKind { kAdded, kChanged, kRemoved };
 
-/// The last changes of a graph, so that who follows it need not compare all of it. Memory is
+/// The last changes of a graph, so that a follower need not compare whole graphs. Memory is
 /// bounded: the oldest are forgotten.
 class ChangeLog {
  public:

@@ -43,8 +43,7 @@ inline constexpr std::size_t kNodeTypeCount = kNodeTypes.size();
 [[nodiscard]] constexpr NodeId firstId(NodeType type) {
   return kNodeTypes[static_cast<std::size_t>(type)].first_id;
 }
-/// Agents, which a robot makes as long as it runs, go on here when the ids before the first
-/// object's are used up.
+/// The ids of agents continue here when those below the first id of objects are used up.
 inline constexpr NodeId kFurtherAgents = 6'000'000;
 /// One past the last id of any type.
 inline constexpr NodeId kIdEnd = 2'000'000'000;

@@ -42,7 +42,7 @@ struct Findings {
                                                   const std::string& scene,
                                                   const StageTimes& times);
 
-/// A file to be written: its plain name and who writes its bytes.
+/// A file to be written: its plain name and the function that writes its bytes.
 struct ResultWriter {
   std::string name;
   std::function<void(std::ostream&)> write;

@@ -23,7 +23,7 @@ struct FarIslands {
   [[nodiscard]] bool none() const { return islands == 0; }
 };
 
-/// "2 islands (1234 nodes, up to 900 m away) were cut off ...", for who loaded the map.
+/// "2 islands (1234 nodes, up to 900 m away) were cut off ...", for the user who loaded the map.
 [[nodiscard]] std::string sentenceOn(const FarIslands& cut);
 
 class FrameCarver;

@@ -52,8 +52,8 @@ class Pipeline {
   /// younger than the session's last.
   /// @throws Error as `startFrom`, or when the session has no map.
   void resume(Session session);
-  /// What to save beside `occupancyMap()` so that another pipeline can go on from here; to be taken
-  /// before `finish`, which decides what only an end decides.
+  /// What to save beside `occupancyMap()` so that another pipeline can continue from here; to be
+  /// taken before `finish`, which decides what only an end decides.
   /// @throws Error when there was no frame.
   [[nodiscard]] SessionState sessionState(const std::string& scene) const;
 

@@ -14,7 +14,7 @@ inline constexpr std::int32_t kNoRegion = 0;
 
 /// One piece of free space.
 struct Region {
-  int id = 0;                 ///< Positive; what it means is said by who fills it.
+  int id = 0;                 ///< Positive: a label, or the id of a track.
   Polygon polygon;            ///< Simple, counter-clockwise, with holes, map frame [m].
   double area_m2 = 0.0;       ///< Area of `polygon`, holes taken out.
   Point2 centroid;            ///< Of `polygon`; may lie outside it.

@@ -53,7 +53,7 @@ struct TrackedRegions {
   /// Region, adjacency, crossing and label ids are track ids; regions are ordered by id.
   Decomposition decomposition;
   std::vector<int> missed;  ///< Tracks without a region now but still remembered; sorted.
-  /// Counts the accepted decompositions, so that who follows them sees whether one was missed.
+  /// Counts the accepted decompositions, so that a follower sees whether it missed one.
   /// Zero: not counted, and `changed` says nothing.
   std::uint64_t update = 0;
   /// Regions that are new, have another polygon, or are gone since update `update` - 1; sorted.
