@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the libraries and exports them as occusg::core, occusg::io and occusg::evaluation, with catkin and without. What is installed can be moved: every file
-# finds the others from where it lies itself.
+# Installs the libraries and exports them as occusg::core, occusg::io and occusg::evaluation, with catkin and without.
+# What is installed can be moved: every file finds the others from where it lies itself.
 include(CMakePackageConfigHelpers)
 
 set(OCCUSG_CMAKE_DIR share/occusg/cmake)

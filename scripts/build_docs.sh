@@ -16,7 +16,11 @@ out=${1:-$root/build/docs}
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 cd "$root"
-(cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = \"$out\"") | doxygen - > "$out/doxygen.log" 2>&1
+(cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = \"$out\"") | doxygen - > "$out/doxygen.log" 2>&1 || {
+  tail -n 20 "$out/doxygen.log" >&2
+  echo "build_docs.sh: doxygen failed" >&2
+  exit 1
+}
 
 must_be_documented='Compound|\(typedef\)|\(enumeration\)|of (file|namespace) '
 problems=$(grep warning "$out/doxygen.log" | grep -vE 'is not documented' || true)

@@ -48,7 +48,7 @@ class ManagedNodelet {
   [[nodiscard]] bool waitForManager() const {
     const ros::SteadyTime begin = ros::SteadyTime::now();
     bool is_told = false;
-    while (goesOn() && !ros::service::exists(manager_ + "/load_nodelet", false)) {
+    while (goesOn() && !hasManager()) {
       if (!is_told && ros::SteadyTime::now() - begin > kPatience) {
         ROS_WARN_STREAM(name_ << ": there is no nodelet manager " << manager_
                               << "; waiting for it");

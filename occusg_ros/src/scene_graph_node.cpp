@@ -476,9 +476,11 @@ void SceneGraphNode::noteStatus() {
   const std::size_t rooms = rooms_->graph().nodes(NodeType::kRoom).size();
   const std::string why_none =
       rooms == 0 ? occusg::whyNoRooms(layer_, occusg::smallestRegion_m2(config_)) : "";
-  const std::string doubt = doubtOnLargestRoom(rooms_->graph());
-  if (!doubt.empty() && !has_doubted_size_) ROS_WARN_STREAM(handles_.name << ": " << doubt);
-  has_doubted_size_ = has_doubted_size_ || !doubt.empty();
+  if (!has_doubted_size_) {
+    const std::string doubt = doubtOnLargestRoom(rooms_->graph());
+    has_doubted_size_ = !doubt.empty();
+    if (has_doubted_size_) ROS_WARN_STREAM(handles_.name << ": " << doubt);
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   status_.counts = rooms_->counts();
   status_.rooms = rooms;

@@ -10,6 +10,9 @@ namespace occusg {
 
 /// Parts the graph's JSON formats share.
 
+inline constexpr int kStampDigits = 6;  ///< Of a stamp [s], behind the point.
+inline constexpr int kScoreDigits = 6;  ///< Of a score or share, behind the point.
+
 /// "bootstrap", "visited" or "promoted".
 [[nodiscard]] const char* nameOf(RoomReason reason);
 /// "confirmed" or "partial".

@@ -185,6 +185,12 @@ json jsonOf(const Ring& ring) {
   return points;
 }
 
+json holesOf(const Polygon& polygon) {
+  json holes = json::array();
+  for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
+  return holes;
+}
+
 std::string toText(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";

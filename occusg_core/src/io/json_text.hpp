@@ -44,6 +44,8 @@ inline constexpr std::size_t kMaxJsonValues = 2'000'000;
 [[nodiscard]] double rounded(double value, int digits = 4);
 [[nodiscard]] nlohmann::json jsonOf(const Point2& point);
 [[nodiscard]] nlohmann::json jsonOf(const Ring& ring);
+/// The holes of a polygon, each as `jsonOf` of its ring.
+[[nodiscard]] nlohmann::json holesOf(const Polygon& polygon);
 /// Shortest text that reads back as `value`; "nan", "inf" or "-inf" for what JSON cannot hold.
 [[nodiscard]] std::string toText(double value);
 

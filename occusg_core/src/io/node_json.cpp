@@ -14,15 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kScoreDigits = 6;
-constexpr int kStampDigits = 6;
-
-json holesOf(const Polygon& polygon) {
-  json holes = json::array();
-  for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
-  return holes;
-}
-
 /// The members a node has by its type.
 struct AttributeMembers {
   json operator()(const AgentAttributes& agent) const {

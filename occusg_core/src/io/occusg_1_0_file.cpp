@@ -18,9 +18,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kStampDigits = 6;
-constexpr int kScoreDigits = 6;
-
 json pointMembers(const Point2& point) {
   return {{"x", rounded(point.x)}, {"y", rounded(point.y)}};
 }

@@ -55,9 +55,7 @@ std::vector<RoomRecord> roomsOf(const json& values, const std::string& file, Rin
 }
 
 json jsonOf(const Polygon& polygon) {
-  json holes = json::array();
-  for (const Ring& hole : polygon.holes) holes.push_back(jsonOf(hole));
-  return {{"polygon", jsonOf(polygon.outer)}, {"holes", std::move(holes)}};
+  return {{"polygon", jsonOf(polygon.outer)}, {"holes", holesOf(polygon)}};
 }
 
 DoorRecord doorOf(const json& value, const std::string& where, const std::set<int>& room_ids) {

@@ -17,8 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kStampDigits = 6;
-
 json membersOf(const Node& node) {
   json members = jsonOf(node.attributes);
   members["id"] = node.id;

@@ -20,7 +20,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "occusg-session";
-constexpr int kStampDigits = 6;
 constexpr std::size_t kMaxTracks = 100'000;
 
 json stampOf(double stamp_s) { return rounded(stamp_s, kStampDigits); }
@@ -50,12 +49,10 @@ json tracksOf(const RegionTrackerState& tracker) {
   }
   json tracks = json::array();
   for (const RegionTrackerState::Track& track : tracker.tracks) {
-    json holes = json::array();
-    for (const Ring& hole : track.polygon.holes) holes.push_back(jsonOf(hole));
     tracks.push_back({{"id", track.id},
                       {"missed_updates", track.missed_updates},
                       {"polygon", jsonOf(track.polygon.outer)},
-                      {"holes", std::move(holes)}});
+                      {"holes", holesOf(track.polygon)}});
   }
   return tracks;
 }

@@ -152,12 +152,10 @@ class AttributeMembers {
   json operator()(const RoomAttributes& room) const {
     json members = semantics(room.name, roomColor(roomNumber(node_.id), kRoomTone),
                              boxAround(room.polygon, node_.position.z()));
-    json holes = json::array();
-    for (const Ring& hole : room.polygon.holes) holes.push_back(jsonOf(hole));
     members["type"] = "RoomNodeAttributes";
     members["semantic_class_probabilities"] = json::object();
     members["metadata"] = {{"polygon", jsonOf(room.polygon.outer)},
-                           {"holes", std::move(holes)},
+                           {"holes", holesOf(room.polygon)},
                            {"area_m2", rounded(room.area_m2)},
                            {"label", room.label},
                            {"label_score", rounded(room.label_score, 6)},
