@@ -108,7 +108,7 @@ while [ -z "$child" ] && kill -0 $pid 2> /dev/null; do child=$(cat /proc/$pid/ta
 kill -INT $pid
 wait $pid
 [ $? -eq 1 ] || fail "Ctrl-C: exit code"
-grep -q "the same command goes on" err.txt || fail "Ctrl-C: it does not say so"
+grep -q "the same command continues" err.txt || fail "Ctrl-C: it does not say so"
 [ ! -e "/proc/${child% }" ] || fail "Ctrl-C: the run goes on"
 
 # --- Ablation: a row a value
