@@ -248,7 +248,8 @@ RangeImage seenIn(const GeneratedBuilding& building, const CameraPlace& place) {
   return image;
 }
 
-void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyMap& map) {
+void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyMap& map,
+             RowEnd end) {
   constexpr int kFramesUntilClamped = 6;
   // The map offers frames alone as its way in; filling it by those would take hours.
   auto& tree = static_cast<VoxelTree&>(const_cast<octomap::OcTree&>(map.tree()));
@@ -257,7 +258,8 @@ void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyM
   std::map<int, std::vector<RoomBlock>> blocks_of_kind;
   for (int y = 0; y < building.rooms_y; ++y) {
     for (int x = 0; x < building.rooms_x; ++x) {
-      if (y + 1 == building.rooms_y && x < unexplored_rooms) continue;
+      const int from_end = end == RowEnd::kWest ? x : building.rooms_x - 1 - x;
+      if (y + 1 == building.rooms_y && from_end < unexplored_rooms) continue;
       const RoomKind kind = kindOf(building, x, y);
       std::vector<RoomBlock>& blocks = blocks_of_kind[kind.number()];
       if (blocks.empty()) blocks = blocksOf(kind);

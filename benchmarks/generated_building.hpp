@@ -31,10 +31,13 @@ struct CameraPlace {
 /// pixel, up to 10 m.
 [[nodiscard]] RangeImage seenIn(const GeneratedBuilding& building, const CameraPlace& place);
 
+enum class RowEnd { kWest, kEast };
+
 /// Fills the map as many frames from everywhere would: all free voxels and the surfaces around them
 /// at their clamped values.
-/// @param unexplored_rooms so many rooms from the west end of the northern row stay unknown.
-void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyMap& map);
+/// @param unexplored_rooms so many rooms at one end of the northern row stay unknown.
+void explore(const GeneratedBuilding& building, int unexplored_rooms, OccupancyMap& map,
+             RowEnd end = RowEnd::kWest);
 
 /// Places along the rooms, row by row and back and forth, through the doors, the camera swinging
 /// from side to side.

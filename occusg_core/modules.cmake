@@ -87,10 +87,16 @@ occusg_add_module(regions
   SOURCES
     ${dude_sources}
     acceptance_guard.cpp
+    basin_regions.cpp
     basins.cpp
+    cell_sums.cpp
     clearance.cpp
     constriction_decomposer.cpp
+    constriction_division.cpp
     contacts.cpp
+    crossings.cpp
+    free_patches.cpp
+    free_pieces.cpp
     label_regions.cpp
     lintels.cpp
     no_rooms.cpp
@@ -98,6 +104,7 @@ occusg_add_module(regions
     passages.cpp
     region_tracker.cpp
     regions_parameters.cpp
+    small_pieces.cpp
     squared_distance.cpp
     straight_cuts.cpp
   USES geometry mapping

@@ -4,12 +4,13 @@
 # Usage: scripts/bench.sh decomposition [MAPS]   MAPS: folder of 2D maps, left out when not given
 #        scripts/bench.sh mapping [RECORDINGS]   RECORDINGS: folder of RGB-D sequences, likewise
 #        scripts/bench.sh graph                  one update of scene graphs of 10 to 1000 rooms
+#        scripts/bench.sh regions                one update of the regions in buildings of 100 to 10 000 m2
 #        scripts/bench.sh saving                 a save of 10 000 m2, and a million agents in a session
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 what=${1:-}
-if [[ ! "$what" =~ ^(decomposition|mapping|graph|saving)$ ]] || [ $# -gt 2 ] || [[ "$what" =~ ^(graph|saving)$ && $# -gt 1 ]]; then
-  echo "usage: scripts/bench.sh decomposition [MAPS] | mapping [RECORDINGS] | graph | saving" >&2
+if [[ ! "$what" =~ ^(decomposition|mapping|graph|regions|saving)$ ]] || [ $# -gt 2 ] || [[ "$what" =~ ^(graph|regions|saving)$ && $# -gt 1 ]]; then
+  echo "usage: scripts/bench.sh decomposition [MAPS] | mapping [RECORDINGS] | graph | regions | saving" >&2
   exit 2
 fi
 data=${2:+$(cd "$2" && pwd)}
@@ -22,7 +23,7 @@ if [ "$what" = mapping ]; then variable=OCCUSG_RGBD_DIR; fi
   exit 1
 }
 
-if [ "$what" = graph ]; then exec "$root/build/release/benchmarks/graph_benchmark"; fi
+case $what in graph | regions) exec "$root/build/release/benchmarks/${what}_benchmark" ;; esac
 if [ "$what" = saving ]; then
   work=$(mktemp -d)
   trap 'rm -rf --one-file-system "$work"' EXIT

@@ -207,6 +207,11 @@ class Pace {
     }
   }
 
+  /// A player that is late has the time of a stamp now: what follows takes as long as it should.
+  void restartAt(double stamp_s) {
+    begun_ = ros::WallTime::now() - ros::WallDuration((stamp_s - time_.start_s) / time_.clock_rate);
+  }
+
  private:
   [[nodiscard]] double now() const {
     return time_.start_s + (ros::WallTime::now() - begun_).toSec() * time_.clock_rate;
@@ -218,8 +223,11 @@ class Pace {
 };
 
 void stand(const Publishers& publishers, FrameMessages messages, const Options& options,
-           const Pace& pace) {
+           Pace pace) {
   const double arrived_s = messages.depth.header.stamp.toSec();
+  // Without it a late player would publish no clock here. Stamps of the wall's clock stay as they
+  // are.
+  if (options.clock) pace.restartAt(arrived_s);
   for (double waited_s = kStandStep_s; ros::ok() && waited_s <= options.hold_s;
        waited_s += kStandStep_s) {
     pace.waitUntil(arrived_s + waited_s);

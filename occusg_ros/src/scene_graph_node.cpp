@@ -388,9 +388,10 @@ void SceneGraphNode::update(const WaitingMap::Map& map, const occusg::Pose& pose
   occusg::FreeSpace layer = toFreeSpace(*map.grid, grid_subscriber_.getTopic(), reading.values);
   if (map.gaps) addGaps(*map.gaps, gaps_subscriber_.getTopic(), layer);
   const bool is_comparable = layer.frame.resolution_m == layer_.frame.resolution_m;
-  const occusg::CellBox changed = is_comparable ? layer.cells.differingFrom(layer_.cells)
-                                                : layer.cells.box().including(layer_.cells.box());
+  const occusg::CellBox box = layer.cells.box().including(layer_.cells.box());
+  const occusg::CellBox changed = is_comparable ? layer.cells.differingFrom(layer_.cells) : box;
   layer.changed = changed;
+  layer.gaps_changed = is_comparable ? layer.evidence.differingFrom(layer_.evidence, box) : box;
   layer_ = std::move(layer);
   last_pose_ = pose;
   rooms_->update(layer_, changed, pose, timeline_.at(map.grid->header.stamp.toSec()));

@@ -123,7 +123,9 @@ const FreeSpace& FreeSpaceProjection::recompute(const OccupancyMap& map) {
   const VoxelColumns columns = VoxelColumns::of(map.tree());
   fresh.apply(columns, columns.knownColumns());
   fresh.queue_.shrink_to_fit();  // it held every cell
+  const CellBox box = fresh.layer_.cells.box().including(layer_.cells.box());
   fresh.layer_.changed = fresh.layer_.cells.differingFrom(layer_.cells);
+  fresh.layer_.gaps_changed = fresh.layer_.evidence.differingFrom(layer_.evidence, box);
   *this = std::move(fresh);
   return layer_;
 }
@@ -161,6 +163,7 @@ void FreeSpaceProjection::cover(const CellBox& known_columns) {
 void FreeSpaceProjection::apply(const VoxelColumns& columns, const std::vector<Cell>& changed) {
   cover(boundsOf(changed));
   layer_.changed = {};
+  layer_.gaps_changed = {};
   Reading reading{columns, evidenceHeights(config_.evidence, layer_.frame.resolution_m), {}};
   for (const Cell& cell : changed) {
     columns.read(cell, reading.bits);
@@ -188,7 +191,9 @@ void FreeSpaceProjection::apply(const VoxelColumns& columns, const std::vector<C
 void FreeSpaceProjection::remeasure(const Reading& reading, const Cell& cell) {
   const std::int16_t floor = floors_.at(cell);
   const ColumnEvidence evidence = measuredEvidence(reading.bits, floor, reading.evidence_heights);
-  if (layer_.evidence.at(cell) != evidence) layer_.evidence.touch(cell) = evidence;
+  const ColumnEvidence& before = layer_.evidence.at(cell);
+  if (!haveSameGap(before, evidence)) layer_.gaps_changed = layer_.gaps_changed.including(cell);
+  if (before != evidence) layer_.evidence.touch(cell) = evidence;
 
   const VoxelRun run = reading.bits.lowestFree(heightsAt(floor), needed_voxels_);
   queue(cell);

@@ -47,8 +47,11 @@ FrameReport MapPipeline::process(const DepthFrame& frame) {
   FrameReport report;
   report.verdict =
       timed(times_, Stage::kOccupancy, [&] { return insert(image, frame.stamp_s, change); });
-  report.changed = timed(times_, Stage::kFreeSpace,
-                         [&] { return free_space_.update(occupancy_, change).changed; });
+  const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
+    return free_space_.update(occupancy_, change);
+  });
+  report.changed = layer.changed;
+  report.gaps_changed = layer.gaps_changed;
   report.changed_columns = change.columns.size();
   report.points = image.hits;
   report.points_outside_map = change.points_outside_map;

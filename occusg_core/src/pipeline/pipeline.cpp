@@ -31,7 +31,9 @@ Pipeline::Pipeline(const PipelineConfig& config, std::unique_ptr<Decomposer> dec
 void Pipeline::startFrom(OccupancyMap map) {
   if (last_stamp_s_)
     throw refuse("map", "comes after the first frame", "a map to start from comes before it");
-  changed_since_rooms_ = changed_since_rooms_.including(map_.startFrom(std::move(map)).changed);
+  const FreeSpace& layer = map_.startFrom(std::move(map));
+  changed_since_rooms_ = changed_since_rooms_.including(layer.changed);
+  gaps_changed_since_rooms_ = gaps_changed_since_rooms_.including(layer.gaps_changed);
 }
 
 void Pipeline::resume(Session session) {
@@ -77,6 +79,7 @@ FrameReport Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& obj
   const FrameReport report = timed(totals_, Stage::kTotal, [&] {
     FrameReport taken = map_.process(frame);
     changed_since_rooms_ = changed_since_rooms_.including(taken.changed);
+    gaps_changed_since_rooms_ = gaps_changed_since_rooms_.including(taken.gaps_changed);
     if (!taken.hasUsablePose()) return taken;
     last_stamp_s_ = frame.stamp_s;
     last_pose_ = frame.T_map_camera;
@@ -93,14 +96,15 @@ FrameReport Pipeline::takeIn(const DepthFrame& frame, const DetectionResult& obj
   return report;
 }
 
-MapView Pipeline::mapView(const CellBox& changed) const {
-  return {&freeSpace(), changed, &occupancyMap().tree(), config_.occupancy.max_range_m};
+MapView Pipeline::mapView(const CellBox& changed, const CellBox& gaps_changed) const {
+  return {&freeSpace(), changed, &occupancyMap().tree(), config_.occupancy.max_range_m,
+          gaps_changed};
 }
 
 void Pipeline::finish() {
   if (!last_stamp_s_) return;
   if (rooms_.lastUpdate() != last_stamp_s_) updateRooms(last_pose_, *last_stamp_s_);
-  rooms_.finish(*last_stamp_s_, mapView({}));
+  rooms_.finish(*last_stamp_s_, mapView({}, {}));
 }
 
 bool Pipeline::roomsAreDue(double stamp_s) const {
@@ -109,8 +113,9 @@ bool Pipeline::roomsAreDue(double stamp_s) const {
 }
 
 void Pipeline::updateRooms(const Pose& T_map_camera, double stamp_s) {
-  rooms_.update(mapView(changed_since_rooms_), T_map_camera, stamp_s);
+  rooms_.update(mapView(changed_since_rooms_, gaps_changed_since_rooms_), T_map_camera, stamp_s);
   changed_since_rooms_ = {};
+  gaps_changed_since_rooms_ = {};
 }
 
 StageTimes Pipeline::times() const {

@@ -25,14 +25,16 @@ const SceneGraph& RoomPipeline::update(const FreeSpace& layer, const CellBox& ch
   MapView map;
   map.layer = &layer;
   map.changed = changed;
+  map.gaps_changed = layer.gaps_changed;
   return update(map, T_map_robot, stamp_s);
 }
 
 const SceneGraph& RoomPipeline::update(const MapView& map, const Pose& T_map_robot,
                                        double stamp_s) {
   const Decomposition& decomposition =
-      timed(times_, Stage::kDecomposition,
-            [&]() -> const Decomposition& { return decomposer_->update(*map.layer, map.changed); });
+      timed(times_, Stage::kDecomposition, [&]() -> const Decomposition& {
+        return decomposer_->update(*map.layer, map.changed.including(map.gaps_changed));
+      });
   const TrackedRegions& tracked = timed(times_, Stage::kTracking, [&]() -> const TrackedRegions& {
     return tracker_.update(decomposition);
   });

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "occusg/geometry/grid.hpp"
 #include "occusg/mapping/free_space.hpp"
@@ -14,14 +16,14 @@ struct LintelHeights {
   double highest_m = 0.0;  ///< Below `lowest_m`: nowhere.
 };
 
-/// The layer's cells with those under a lintel closed: free from the floor up to something overhead
-/// between the given heights.
-[[nodiscard]] Grid<std::int8_t> withLintelsClosed(const FreeSpace& layer,
-                                                  const LintelHeights& heights);
+/// True when something overhead between the given heights ends the gap above a cell that is free
+/// from the floor up.
+[[nodiscard]] bool isUnderLintel(const FreeSpace& layer, const Cell& cell,
+                                 const LintelHeights& heights);
 
-/// Labels the free cells without a label, connected ones alike, and gives those closed in `closed`
-/// alone to the nearest region beside them.
-void openLintels(const FreeSpaceCells& cells, const Grid<std::int8_t>& closed,
-                 Grid<std::int32_t>& labels);
+/// Spreads the labels of the cells `reached`, in this order and in breadth, over the cells without
+/// a label that `isOpen` allows: each gets the label that is the fewest steps away.
+void spreadLabels(std::vector<Cell> reached, const std::function<bool(const Cell&)>& isOpen,
+                  Grid<std::int32_t>& labels);
 
 }  // namespace occusg

@@ -2,7 +2,6 @@
 #include "regions/straight_cuts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <map>
@@ -10,17 +9,12 @@
 
 #include "occusg/regions/label_regions.hpp"
 #include "occusg/regions/region.hpp"
+#include "regions/cell_walks.hpp"
 
 namespace occusg {
 namespace {
 
 constexpr std::int32_t kUndecided = -1;
-
-/// The four side neighbours.
-std::array<Cell, 4> sides(const Cell& cell) {
-  return {Cell{cell.x, cell.y - 1}, Cell{cell.x - 1, cell.y}, Cell{cell.x + 1, cell.y},
-          Cell{cell.x, cell.y + 1}};
-}
 
 /// Marks the open cells on the line between the jambs as undecided. Consecutive cells of the line
 /// touch at least at a corner, which no 4-connected way gets through.
@@ -88,7 +82,7 @@ void decideFromBeside(Grid<std::int32_t>& labels, std::vector<Cell> undecided) {
     std::vector<Cell> left;
     for (const Cell& cell : undecided) {
       std::int32_t smallest = kNoRegion;
-      for (const Cell& side : sides(cell)) {
+      for (const Cell& side : sideNeighbours(cell)) {
         const std::int32_t label = labels.valueOr(side, kNoRegion);
         if (label > kNoRegion && (smallest == kNoRegion || label < smallest)) smallest = label;
       }

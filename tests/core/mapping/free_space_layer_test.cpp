@@ -253,6 +253,17 @@ TEST(FreeSpaceLayer, ChangedOfRecomputeIsAgainstTheLayerBefore) {
   EXPECT_TRUE(layer.freeSpace().cells.empty());
 }
 
+/// Bounds of the cells whose gap or overhead differs.
+CellBox differingGaps(const FreeSpace& a, const FreeSpace& b) {
+  const CellBox box = a.cells.box().including(b.cells.box());
+  CellBox differing;
+  for (int y = box.min.y; y < box.max.y; ++y)
+    for (int x = box.min.x; x < box.max.x; ++x)
+      if (!haveSameGap(a.evidence.at({x, y}), b.evidence.at({x, y})))
+        differing = differing.including(Cell{x, y});
+  return differing;
+}
+
 /// Updates a layer frame by frame; each time it must equal the layer recomputed from the map.
 void expectUpdatesEqualRecompute(const std::vector<PointCloud>& frames,
                                  const OccupancyMapConfig& map_config,
@@ -262,12 +273,16 @@ void expectUpdatesEqualRecompute(const std::vector<PointCloud>& frames,
   FreeSpaceLayer updated(config, frame);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SCOPED_TRACE("frame " + std::to_string(i));
+    const FreeSpace before = updated.freeSpace();
     FreeSpaceLayer oracle = updated;
     const FreeSpace& by_update = updated.update(map, map.insert(frames[i]));
     const FreeSpace& from_scratch = oracle.recompute(map);
     ASSERT_TRUE(by_update.cells == from_scratch.cells);
     ASSERT_TRUE(by_update.evidence == from_scratch.evidence);
     ASSERT_EQ(by_update.changed, from_scratch.changed);
+    const CellBox gaps = differingGaps(before, by_update);
+    ASSERT_EQ(by_update.gaps_changed.including(gaps), by_update.gaps_changed);
+    ASSERT_EQ(from_scratch.gaps_changed.including(gaps), from_scratch.gaps_changed);
   }
 }
 

@@ -93,6 +93,33 @@ TEST(RegionTracker, SwappedInputOrderKeepsIds) {
   EXPECT_EQ(tracked.decomposition.labels.at({45, 0}), kNoRegion);
 }
 
+TEST(RegionTracker, RestoredTrackerGivesTheFirstRegionsWhole) {
+  RegionTracker tracker(unguarded());
+  tracker.update(blocks({kLeft, kMiddle}));
+  RegionTracker restored(unguarded());
+  restored.restore(tracker.state());
+  const TrackedRegions& tracked = restored.update(blocks({kMiddle, kLeft, kRight}));
+  ASSERT_EQ(idsOf(tracked), (std::vector<int>{1, 2, 3}));
+  for (const Region& region : tracked.decomposition.regions) {
+    EXPECT_EQ(region.polygon.outer.size(), 4U);
+    EXPECT_EQ(tracked.decomposition.labels.at(region.cells.min), region.id);
+  }
+}
+
+TEST(RegionTracker, LabelsFollowRegionsThatMoveShrinkAndGo) {
+  RegionTracker tracker(unguarded());
+  tracker.update(blocks({kLeft, kMiddle, kRight}));
+  const TrackedRegions& tracked =
+      tracker.update(blocks({{2, 0, 36, 40}, {50, 0, 40, 20}, {100, 0, 40, 40}}));
+  const Grid<std::int32_t>& labels = tracked.decomposition.labels;
+  EXPECT_EQ(labels.at({2, 0}), 1);
+  EXPECT_EQ(labels.at({39, 0}), kNoRegion);
+  EXPECT_EQ(labels.at({50, 19}), 2);
+  EXPECT_EQ(labels.at({50, 20}), kNoRegion);
+  EXPECT_EQ(tracker.update(blocks({kMiddle})).decomposition.labels.valueOr({100, 0}, kNoRegion),
+            kNoRegion);
+}
+
 TEST(RegionTracker, ThirdRegionGetsTheNextId) {
   RegionTracker tracker(unguarded());
   tracker.update(blocks({kLeft, kMiddle}));

@@ -32,6 +32,23 @@ class ShutdownTest(unittest.TestCase):
         self.addCleanup(self.kill, process)
         return process
 
+    def launch(self, folder, *arguments):
+        """occusg.launch for laser maps, which saves into the folder."""
+        process = subprocess.Popen(["roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map",
+                                    "mapping:=false", "save_folder:=" + folder] + list(arguments))
+        self.addCleanup(self.end_launch, process)
+        return process
+
+    @classmethod
+    def end_launch(cls, process):
+        """A launch that a failed test leaves behind ends with its nodes."""
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+            try:
+                process.wait(timeout=30)
+            except subprocess.TimeoutExpired:
+                cls.kill(process)
+
     @staticmethod
     def kill(process):
         if process.poll() is None:
@@ -64,9 +81,7 @@ class ShutdownTest(unittest.TestCase):
 
     def test_failure_mode_15_nodelets_of_a_launch_file_save_on_sigint(self):
         folder = tempfile.mkdtemp(prefix="occusg_launched_test_")
-        process = subprocess.Popen([
-            "roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map",
-            "save_folder:=" + folder, "autosave_period_s:=0", "mapping:=false"])
+        process = self.launch(folder, "autosave_period_s:=0")
         self.feed_map(Diagnostics("occusg/scene_graph: scene graph"), 1.0, 2.0)
         self.end(process, signal.SIGINT)
         self.assertIn('"polygon"', self.saved(folder, "rooms.json"))
@@ -219,9 +234,7 @@ class ShutdownTest(unittest.TestCase):
 
     def test_failure_mode_19_killed_manager_comes_back_and_goes_on(self):
         folder = tempfile.mkdtemp(prefix="occusg_manager_test_")
-        launch = subprocess.Popen([
-            "roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map", "mapping:=false",
-            "save_folder:=" + folder, "autosave_period_s:=0.5"])
+        launch = self.launch(folder, "autosave_period_s:=0.5")
         log = RosLog()
         diagnostics = Diagnostics("occusg/scene_graph: scene graph")
         self.feed_map(diagnostics, 1.0, 2.0)
@@ -240,9 +253,7 @@ class ShutdownTest(unittest.TestCase):
 
     def test_failure_mode_19_manager_killed_again_and_again_while_it_starts_comes_back(self):
         folder = tempfile.mkdtemp(prefix="occusg_starting_manager_test_")
-        launch = subprocess.Popen([
-            "roslaunch", "--skip-log-check", "occusg", "occusg.launch", "free_space:=/map", "mapping:=false",
-            "save_folder:=" + folder])
+        launch = self.launch(folder)
 
         def managers():
             found = subprocess.run(["pgrep", "-P", str(launch.pid), "-f", "nodelet manager"], stdout=subprocess.PIPE)

@@ -27,6 +27,7 @@ struct MapView {
   CellBox changed;                   ///< Bounds of the cells that changed since the last update.
   const octomap::OcTree* occupancy = nullptr;  ///< Null: no object is a ghost.
   double max_range_m = 8.0;                    ///< How far the sensor changes the map [m].
+  CellBox gaps_changed{};  ///< Bounds of the cells whose gap changed since the last update.
 };
 
 /// Tracked regions, poses, detections and free space -> scene graph (paper, Sec. 3.3 and 3.4). Time

@@ -47,4 +47,9 @@ struct ColumnEvidence {
   friend bool operator!=(const ColumnEvidence& a, const ColumnEvidence& b) { return !(a == b); }
 };
 
+/// True when the gap and what ends it above are the same.
+[[nodiscard]] inline bool haveSameGap(const ColumnEvidence& a, const ColumnEvidence& b) {
+  return a.overhead == b.overhead && a.gap_bottom == b.gap_bottom && a.gap_top == b.gap_top;
+}
+
 }  // namespace occusg

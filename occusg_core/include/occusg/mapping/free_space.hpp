@@ -14,6 +14,7 @@ struct FreeSpace {
   FreeSpaceCells cells;
   CellBox changed;  ///< Bounds of the cells that differ from the previous update's.
   TiledGrid<ColumnEvidence> evidence{};  ///< What the cells follow from; empty for a 2D map.
+  CellBox gaps_changed{};  ///< Bounds of the cells whose gap or overhead differs likewise.
 };
 
 }  // namespace occusg

@@ -24,6 +24,7 @@ enum class FrameVerdict {
 struct FrameReport {
   FrameVerdict verdict = FrameVerdict::kUsed;
   CellBox changed;                     ///< Bounds of the changed cells of the free-space layer.
+  CellBox gaps_changed;                ///< Bounds of the cells whose gap changed likewise.
   std::size_t changed_columns = 0;     ///< Columns of the map in which a voxel became known.
   std::size_t points = 0;              ///< Surface points of the depth image.
   std::size_t points_outside_map = 0;  ///< Of them, those the map cannot reach.

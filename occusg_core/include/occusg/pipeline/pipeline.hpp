@@ -89,7 +89,7 @@ class Pipeline {
  private:
   void checkStamp(const DepthFrame& frame) const;
   FrameReport takeIn(const DepthFrame& frame, const DetectionResult& objects);
-  [[nodiscard]] MapView mapView(const CellBox& changed) const;
+  [[nodiscard]] MapView mapView(const CellBox& changed, const CellBox& gaps_changed) const;
   void updateRooms(const Pose& T_map_camera, double stamp_s);
   [[nodiscard]] bool roomsAreDue(double stamp_s) const;
 
@@ -98,7 +98,8 @@ class Pipeline {
   MapPipeline map_;
   RoomPipeline rooms_;
 
-  CellBox changed_since_rooms_;  ///< Free-space cells `rooms_` has not seen yet.
+  CellBox changed_since_rooms_;       ///< Free-space cells `rooms_` has not seen yet.
+  CellBox gaps_changed_since_rooms_;  ///< Cells whose gap it has not seen yet.
   std::optional<double> last_stamp_s_;
   Pose last_pose_ = Pose::Identity();
   RefusedMasks refused_masks_;

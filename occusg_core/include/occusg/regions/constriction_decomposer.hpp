@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "occusg/parameter.hpp"
 #include "occusg/regions/decomposer.hpp"
 
 namespace occusg {
+
+class ConstrictionDivision;
 
 /// What becomes of the floor under a small obstacle island.
 enum class IslandFootprint {
@@ -60,14 +65,28 @@ class ConstrictionDecomposer final : public Decomposer {
   /// @throws Error when a parameter is out of range.
   explicit ConstrictionDecomposer(const ConstrictionDecomposerConfig& config);
 
-  /// Computed from the whole layer; O(cells).
+  ~ConstrictionDecomposer() override;
+  ConstrictionDecomposer(const ConstrictionDecomposer&) = delete;
+  ConstrictionDecomposer& operator=(const ConstrictionDecomposer&) = delete;
+  ConstrictionDecomposer(ConstrictionDecomposer&&) = delete;
+  ConstrictionDecomposer& operator=(ConstrictionDecomposer&&) = delete;
+
+  /// A layer without column evidence (a 2D map) is cut anew, in O(cells). Of a layer with evidence
+  /// only those parts are cut anew that changed, up to the lintels around them, with the same
+  /// result.
   using Decomposer::update;
   const Decomposition& update(const FreeSpace& layer, const CellBox& changed) override;
   void reset() override;
+  /// Bytes of what is kept from update to update.
+  [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
   ConstrictionDecomposerConfig config_;
-  Decomposition decomposition_;
+  Decomposition decomposition_;                     ///< Of a layer without evidence.
+  std::unique_ptr<ConstrictionDivision> division_;  ///< Of layers with evidence.
+  GridFrame frame_;                                 ///< Of the last of these.
+  CellBox box_;
+  std::uint64_t updates_ = 0;
 };
 
 }  // namespace occusg

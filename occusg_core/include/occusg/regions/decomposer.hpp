@@ -25,11 +25,14 @@ class Decomposer {
   /// Total: every layer has a decomposition, if only an empty one. Equal sequences of calls give
   /// equal results. The reference stays valid until the next call.
   /// @param layer the whole layer.
-  /// @param changed bounds of the cells that differ from the previous call's layer.
+  /// @param changed bounds of the cells whose value, or whose gap in the evidence, differs from the
+  ///        previous call's layer.
   virtual const Decomposition& update(const FreeSpace& layer, const CellBox& changed) = 0;
 
   /// For a caller that passes on every update of the layer.
-  const Decomposition& update(const FreeSpace& layer) { return update(layer, layer.changed); }
+  const Decomposition& update(const FreeSpace& layer) {
+    return update(layer, layer.changed.including(layer.gaps_changed));
+  }
 
   /// Forgets everything kept from earlier updates.
   virtual void reset() = 0;

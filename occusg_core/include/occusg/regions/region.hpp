@@ -35,6 +35,11 @@ struct Decomposition {
   std::vector<Region> regions;
   std::vector<Crossing> crossings;  ///< Ordered by (region_a, region_b), then by position.
   Grid<std::int32_t> labels;        ///< Region id of every cell, kNoRegion elsewhere.
+  /// Counts the updates of a decomposer that says what stayed the same. Zero: it does not say.
+  std::uint64_t update = 0;
+  /// By region, when `update` is not zero: its id in update `update` - 1 if it had the same cells
+  /// there, else 0.
+  std::vector<int> same_as{};
 };
 
 }  // namespace occusg

@@ -110,18 +110,24 @@ class RegionTracker {
   };
 
   [[nodiscard]] bool mayContinue(const Track& track, const Region& region) const;
+  /// Whether the decomposition says which regions of the last one it has.
+  [[nodiscard]] bool knowsWhatIsSame(const Decomposition& decomposition) const;
   /// The track of every region that has not changed since it was last seen; zero for the others.
-  [[nodiscard]] std::vector<int> assignUnchanged(const std::vector<Region>& regions) const;
+  [[nodiscard]] std::vector<int> assignUnchanged(const Decomposition& decomposition) const;
   /// The track of every region in list order: a known one, or one that it starts.
-  [[nodiscard]] std::vector<int> assign(const std::vector<Region>& regions);
+  [[nodiscard]] std::vector<int> assign(const Decomposition& decomposition);
   void step(const std::vector<Region>& regions, const std::vector<int>& ids);
-  void noteChanges(const std::vector<Region>& regions, const std::vector<int>& ids);
+  [[nodiscard]] Grid<std::int32_t> labelsAfter(const Decomposition& decomposition,
+                                               const std::vector<int>& ids);
+  void noteChanges(const Decomposition& decomposition, const std::vector<int>& ids);
 
   RegionTrackerConfig config_;
   std::unique_ptr<AcceptanceGuard> guard_;
   std::map<int, Track> tracks_;  ///< By id.
   int next_id_ = 1;
   TrackedRegions tracked_;
+  std::uint64_t last_update_ = 0;  ///< Of the decomposition `tracked_` is made of.
+  std::vector<int> last_ids_;      ///< By its regions: the tracks.
 };
 
 }  // namespace occusg

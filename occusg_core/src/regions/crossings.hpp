@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "occusg/geometry/grid.hpp"
+#include "occusg/regions/region.hpp"
+
+namespace occusg {
+
+/// The segments along which two labels touch, those shorter than `min_crossing_m` left out; ordered
+/// by the labels, then by position.
+[[nodiscard]] std::vector<Crossing> crossingsOf(const Grid<std::int32_t>& labels,
+                                                const GridFrame& frame, double min_crossing_m);
+
+}  // namespace occusg
