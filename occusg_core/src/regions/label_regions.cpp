@@ -137,9 +137,10 @@ Decomposition decompositionOf(const Grid<std::int32_t>& labels, const GridFrame&
   result.labels = numberedPieces(labels);
   const std::vector<CellSums> sums = sumsOf(result.labels);
   result.regions.reserve(sums.size() - 1);
-  for (std::size_t id = 1; id < sums.size(); ++id)
-    result.regions.push_back(regionOf(result.labels, static_cast<std::int32_t>(id),
-                                      static_cast<int>(id), frame, sums[id]));
+  for (std::size_t i = 1; i < sums.size(); ++i) {
+    const auto id = static_cast<int>(i);
+    result.regions.push_back(regionOf(result.labels, id, id, frame, sums[i]));
+  }
   result.crossings = crossingsOf(result.labels, frame, min_crossing_m);
   for (const Crossing& crossing : result.crossings) {
     result.regions[crossing.region_a - 1].adjacent.push_back(crossing.region_b);
