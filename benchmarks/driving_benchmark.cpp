@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "generated_building.hpp"
+#include "median.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
 #include "thread_clock.hpp"
@@ -38,12 +39,6 @@ double residentMemory() {
   double resident_pages = 0.0;
   statm >> total_pages >> resident_pages;
   return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 struct Part {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "generated_building.hpp"
+#include "median.hpp"
 #include "occusg/graph/graph_builder.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
@@ -32,12 +33,6 @@ OccupancyMapConfig mapConfig() {
   OccupancyMapConfig config;
   config.max_memory_mb = 1e6;  // the whole building, whatever it takes
   return config;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// A building, what is known of it, and a camera on its way.

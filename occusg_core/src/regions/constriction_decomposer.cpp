@@ -6,6 +6,7 @@
 #include "occusg/regions/label_regions.hpp"
 #include "regions/basin_regions.hpp"
 #include "regions/constriction_division.hpp"
+#include "regions/label_window.hpp"
 #include "regions/outside.hpp"
 
 namespace occusg {
@@ -13,15 +14,6 @@ namespace {
 
 /// [m] A border this near to an obstacle is wall: two cells of common maps, and half a cell.
 constexpr double kWallReach_m = 0.15;
-
-/// `labels` over `box`, which holds every labelled cell.
-Grid<std::int32_t> spreadOver(const CellBox& box, const Grid<std::int32_t>& labels) {
-  Grid<std::int32_t> result(box, kNoRegion);
-  const CellBox common = labels.box().intersected(box);
-  for (int y = common.min.y; y < common.max.y; ++y)
-    for (int x = common.min.x; x < common.max.x; ++x) result.at({x, y}) = labels.at({x, y});
-  return result;
-}
 
 /// Labels over the bounds of the free cells; no cells when none is free.
 Grid<std::int32_t> labelsOf(const FreeSpace& layer, const ConstrictionDecomposerConfig& config) {
@@ -48,7 +40,7 @@ const Decomposition& ConstrictionDecomposer::update(const FreeSpace& layer,
                                                     const CellBox& changed) {
   if (layer.evidence.empty()) {
     division_.reset();
-    const Grid<std::int32_t> labels = spreadOver(layer.cells.box(), labelsOf(layer, config_));
+    const Grid<std::int32_t> labels = labelsOver(layer.cells.box(), labelsOf(layer, config_));
     decomposition_ = decompositionOf(labels, layer.frame, config_.min_crossing_m);
     return decomposition_;
   }

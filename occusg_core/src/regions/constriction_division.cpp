@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 
 #include "regions/basin_regions.hpp"
 #include "regions/crossings.hpp"
+#include "regions/label_window.hpp"
 #include "regions/small_pieces.hpp"
 
 namespace occusg {
@@ -20,13 +20,6 @@ Value& of(std::int32_t piece, std::vector<Value>& values) {
   const auto i = static_cast<std::size_t>(piece);
   if (i >= values.size()) values.resize(i + 1, 0);
   return values[i];
-}
-
-Grid<std::int32_t> partOf(const Grid<std::int32_t>& labels, const CellBox& box) {
-  Grid<std::int32_t> part(box, kNoRegion);
-  for (int y = box.min.y; y < box.max.y; ++y)
-    std::copy_n(&labels.at({box.min.x, y}), box.width(), &part.at({box.min.x, y}));
-  return part;
 }
 
 }  // namespace
@@ -49,6 +42,11 @@ const Decomposition& ConstrictionDivision::update(const FreeSpace& layer, const 
 
 std::size_t ConstrictionDivision::memoryBytes() const {
   return pieces_.memoryBytes() + decomposition_.labels.values().size() * sizeof(std::int32_t);
+}
+
+/// A piece of fewer cells is small.
+std::int64_t ConstrictionDivision::minCells() const {
+  return static_cast<std::int64_t>(cellsOf(config_.min_region_area_m2, decomposition_.frame));
 }
 
 /// Which piece has every small one in the end, or kNoRegion.
@@ -75,10 +73,8 @@ std::map<std::int32_t, std::int32_t> ConstrictionDivision::heirs() const {
       if (found != number.end()) of_piece[found->second] = edges;
     }
   }
-  const auto min_cells =
-      static_cast<std::int64_t>(cellsOf(config_.min_region_area_m2, decomposition_.frame));
   const std::vector<std::int32_t> heir =
-      heirsOfSmallPieces(std::move(cells), std::move(shared), min_cells);
+      heirsOfSmallPieces(std::move(cells), std::move(shared), minCells());
   std::map<std::int32_t, std::int32_t> heirs;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::int32_t into = heir[i + 1];
@@ -97,13 +93,11 @@ std::int32_t ConstrictionDivision::groupOf(std::int32_t piece) const {
 /// Brings small pieces and their heirs up to date. @return the pieces that changed, are gone, or
 /// belong to another group now.
 ConstrictionDivision::PieceNames ConstrictionDivision::movedPieces(const PieceChanges& changes) {
-  const auto min_cells =
-      static_cast<std::int64_t>(cellsOf(config_.min_region_area_m2, decomposition_.frame));
   PieceNames moved = changes.gone;
   moved.insert(changes.touched.begin(), changes.touched.end());
   for (const std::int32_t piece : changes.gone) small_.erase(piece);
   for (const std::int32_t piece : changes.touched) {
-    if (pieces_.pieces().at(piece).sums.count < min_cells) {
+    if (pieces_.pieces().at(piece).sums.count < minCells()) {
       small_.insert(piece);
     } else {
       small_.erase(piece);
@@ -224,24 +218,9 @@ void ConstrictionDivision::updateCrossings() {
     if (a != 0 && b != 0) crossings.push_back({std::min(a, b), std::max(a, b), crossing.segment});
   }
   for (const Crossing& crossing : crossingsOfNewRegions()) crossings.push_back(crossing);
-  // Stable: the crossings of one pair stay ordered by position.
-  std::stable_sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
-    return std::tie(a.region_a, a.region_b) < std::tie(b.region_a, b.region_b);
-  });
+  sortByRegions(crossings);
   decomposition_.crossings = std::move(crossings);
-  for (Region& region : decomposition_.regions) region.adjacent.clear();
-  for (const Crossing& crossing : decomposition_.crossings) {
-    const auto add = [&](int region, int beside) {
-      std::vector<int>& adjacent =
-          decomposition_.regions[static_cast<std::size_t>(region) - 1].adjacent;
-      if (std::find(adjacent.begin(), adjacent.end(), beside) == adjacent.end())
-        adjacent.push_back(beside);
-    };
-    add(crossing.region_a, crossing.region_b);
-    add(crossing.region_b, crossing.region_a);
-  }
-  for (Region& region : decomposition_.regions)
-    std::sort(region.adjacent.begin(), region.adjacent.end());
+  nameNeighbours(decomposition_.crossings, decomposition_.regions);
 }
 
 std::vector<Crossing> ConstrictionDivision::crossingsOfNewRegions() const {
@@ -252,7 +231,7 @@ std::vector<Crossing> ConstrictionDivision::crossingsOfNewRegions() const {
     const int id = static_cast<int>(i) + 1;
     const CellBox box =
         decomposition_.regions[i].cells.grown(1).intersected(decomposition_.labels.box());
-    const Grid<std::int32_t> labels = partOf(decomposition_.labels, box);
+    const Grid<std::int32_t> labels = labelsOver(box, decomposition_.labels);
     for (const Crossing& crossing :
          crossingsOf(labels, decomposition_.frame, config_.min_crossing_m)) {
       if (crossing.region_a != id && crossing.region_b != id) continue;

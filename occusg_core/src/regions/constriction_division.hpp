@@ -43,6 +43,7 @@ class ConstrictionDivision {
     friend bool operator<(const Place& a, const Place& b) { return a.first < b.first; }
   };
 
+  [[nodiscard]] std::int64_t minCells() const;
   [[nodiscard]] std::map<std::int32_t, std::int32_t> heirs() const;
   [[nodiscard]] PieceNames regroup(const PieceChanges& changes);
   [[nodiscard]] PieceNames movedPieces(const PieceChanges& changes);

@@ -14,4 +14,11 @@ namespace occusg {
 [[nodiscard]] std::vector<Crossing> crossingsOf(const Grid<std::int32_t>& labels,
                                                 const GridFrame& frame, double min_crossing_m);
 
+/// Orders crossings by their regions; those of one pair stay in the order they have.
+void sortByRegions(std::vector<Crossing>& crossings);
+
+/// Names in every region those it shares a crossing with.
+/// @pre regions[i] has id i + 1.
+void nameNeighbours(const std::vector<Crossing>& crossings, std::vector<Region>& regions);
+
 }  // namespace occusg

@@ -142,15 +142,7 @@ Decomposition decompositionOf(const Grid<std::int32_t>& labels, const GridFrame&
     result.regions.push_back(regionOf(result.labels, id, id, frame, sums[i]));
   }
   result.crossings = crossingsOf(result.labels, frame, min_crossing_m);
-  for (const Crossing& crossing : result.crossings) {
-    result.regions[crossing.region_a - 1].adjacent.push_back(crossing.region_b);
-    result.regions[crossing.region_b - 1].adjacent.push_back(crossing.region_a);
-  }
-  for (Region& region : result.regions) {
-    std::sort(region.adjacent.begin(), region.adjacent.end());
-    region.adjacent.erase(std::unique(region.adjacent.begin(), region.adjacent.end()),
-                          region.adjacent.end());
-  }
+  nameNeighbours(result.crossings, result.regions);
   return result;
 }
 

@@ -2,13 +2,13 @@
 #include "regions/outside.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "occusg/regions/region.hpp"
+#include "regions/cell_walks.hpp"
 #include "regions/squared_distance.hpp"
 
 namespace occusg {
@@ -53,7 +53,6 @@ bool isOnRim(const Cell& cell, const CellBox& box) {
 
 std::vector<Border> bordersOf(const Grid<std::int8_t>& cells, double wall_reach_cells,
                               const Grid<std::int32_t>& labels) {
-  const std::array<Cell, 4> sides{Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}};
   const Grid<std::int32_t> to_wall = squaredDistancesToObstacles(cells, wall_reach_cells);
   const auto reach = static_cast<std::int32_t>(wall_reach_cells * wall_reach_cells);
   const auto most = std::max_element(labels.values().begin(), labels.values().end());
@@ -66,8 +65,7 @@ std::vector<Border> bordersOf(const Grid<std::int8_t>& cells, double wall_reach_
       Border& border = borders[static_cast<std::size_t>(label)];
       ++border.cells;
       border.rim_cells += isOnRim({x, y}, cells.box()) ? 1 : 0;
-      for (const Cell& side : sides) {
-        const Cell beside{x + side.x, y + side.y};
+      for (const Cell& beside : sideNeighbours({x, y})) {
         if (labels.valueOr(beside, kNoRegion) != kNoRegion) continue;
         if (cells.valueOr(beside, kUnknown) == kFree) continue;
         ++(to_wall.at({x, y}) <= reach ? border.wall : border.frontier);

@@ -12,6 +12,7 @@
 
 #include "occusg/regions/region.hpp"
 #include "regions/basins.hpp"
+#include "regions/cell_walks.hpp"
 #include "regions/contacts.hpp"
 
 namespace occusg {
@@ -42,8 +43,7 @@ Cell saddleOf(const Contact& contact, const Grid<std::int32_t>& squared) {
 
 bool isWall(const Grid<std::uint8_t>& open, const Cell& cell) {
   if (open.at(cell) != 0) return false;
-  const std::array<Cell, 4> beside{Cell{cell.x - 1, cell.y}, Cell{cell.x + 1, cell.y},
-                                   Cell{cell.x, cell.y - 1}, Cell{cell.x, cell.y + 1}};
+  const std::array<Cell, 4> beside = sideNeighbours(cell);
   return std::any_of(beside.begin(), beside.end(),
                      [&](const Cell& side) { return open.valueOr(side, 0) != 0; });
 }

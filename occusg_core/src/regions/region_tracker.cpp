@@ -9,6 +9,7 @@
 
 #include "occusg/geometry/polygon_overlap.hpp"
 #include "regions/acceptance_guard.hpp"
+#include "regions/crossings.hpp"
 
 namespace occusg {
 namespace {
@@ -85,11 +86,7 @@ Decomposition renamed(const Decomposition& decomposition, const std::vector<std:
     crossing.region_a = low;
     crossing.region_b = high;
   }
-  // Stable: the crossings of one pair stay ordered by position.
-  std::stable_sort(result.crossings.begin(), result.crossings.end(),
-                   [](const Crossing& a, const Crossing& b) {
-                     return std::tie(a.region_a, a.region_b) < std::tie(b.region_a, b.region_b);
-                   });
+  sortByRegions(result.crossings);
   return result;
 }
 
@@ -119,9 +116,10 @@ const TrackedRegions& RegionTracker::update(const Decomposition& decomposition) 
   const std::vector<int> ids = assign(decomposition);
   noteChanges(decomposition, ids);
   step(decomposition.regions, ids);
-  Grid<std::int32_t> labels = labelsAfter(decomposition, ids);
+  const std::vector<std::int32_t> new_id = newIds(ids);
+  Grid<std::int32_t> labels = labelsAfter(decomposition, new_id);
   Decomposition fresh =
-      renamed(decomposition, newIds(ids), tracked_.changed, tracked_.decomposition.regions);
+      renamed(decomposition, new_id, tracked_.changed, tracked_.decomposition.regions);
   fresh.labels = std::move(labels);
   tracked_.crossings_changed = !areSame(fresh.crossings, tracked_.decomposition.crossings);
   tracked_.decomposition = std::move(fresh);
@@ -133,8 +131,7 @@ const TrackedRegions& RegionTracker::update(const Decomposition& decomposition) 
 
 // Only the cells of regions that changed are written, however large the map is.
 Grid<std::int32_t> RegionTracker::labelsAfter(const Decomposition& decomposition,
-                                              const std::vector<int>& ids) {
-  const std::vector<std::int32_t> new_id = newIds(ids);
+                                              const std::vector<std::int32_t>& new_id) {
   const CellBox& box = decomposition.labels.box();
   Decomposition& before = tracked_.decomposition;
   const bool continues = before.frame.resolution_m == decomposition.frame.resolution_m &&
@@ -148,9 +145,12 @@ Grid<std::int32_t> RegionTracker::labelsAfter(const Decomposition& decomposition
         labels);
     return labels;
   }
-  const std::set<int> changed(tracked_.changed.begin(), tracked_.changed.end());
+  const std::vector<int>& changed = tracked_.changed;
+  const auto hasChanged = [&](int id) {
+    return std::binary_search(changed.begin(), changed.end(), id);
+  };
   for (const Region& region : before.regions) {
-    if (changed.count(region.id) == 0) continue;
+    if (!hasChanged(region.id)) continue;
     relabel(
         region.cells.intersected(box), labels,
         [&](std::int32_t label, std::int32_t) { return label == region.id ? kNoRegion : label; },
@@ -158,7 +158,7 @@ Grid<std::int32_t> RegionTracker::labelsAfter(const Decomposition& decomposition
   }
   for (const Region& region : decomposition.regions) {
     const std::int32_t id = new_id[region.id];
-    if (changed.count(id) == 0) continue;
+    if (!hasChanged(id)) continue;
     relabel(
         region.cells.intersected(box), decomposition.labels,
         [&](std::int32_t label, std::int32_t old) { return label == region.id ? id : old; },

@@ -118,7 +118,7 @@ class RegionTracker {
   [[nodiscard]] std::vector<int> assign(const Decomposition& decomposition);
   void step(const std::vector<Region>& regions, const std::vector<int>& ids);
   [[nodiscard]] Grid<std::int32_t> labelsAfter(const Decomposition& decomposition,
-                                               const std::vector<int>& ids);
+                                               const std::vector<std::int32_t>& new_id);
   void noteChanges(const Decomposition& decomposition, const std::vector<int>& ids);
 
   RegionTrackerConfig config_;
