@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/geometry.hpp>  // The index alone does not compile with Boost 1.83 (Debian 13).
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <cstddef>
