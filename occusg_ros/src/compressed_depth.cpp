@@ -10,6 +10,7 @@
 
 #include "occusg/error.hpp"
 #include "occusg/io/png_check.hpp"
+#include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/shown_text.hpp"
 
 namespace occusg_ros {
@@ -52,18 +53,6 @@ cv::Mat metresOf(const cv::Mat& quantised, float a, float b) {
   return metres;
 }
 
-sensor_msgs::Image imageOf(const cv::Mat& pixels, const std::string& encoding,
-                           const std_msgs::Header& header) {
-  sensor_msgs::Image image;
-  image.header = header;
-  image.width = static_cast<std::uint32_t>(pixels.cols);
-  image.height = static_cast<std::uint32_t>(pixels.rows);
-  image.encoding = encoding;
-  image.step = image.width * static_cast<std::uint32_t>(pixels.elemSize());
-  image.data.assign(pixels.datastart, pixels.dataend);
-  return image;
-}
-
 }  // namespace
 
 sensor_msgs::Image decompressedDepth(const sensor_msgs::CompressedImage& message,
@@ -76,13 +65,13 @@ sensor_msgs::Image decompressedDepth(const sensor_msgs::CompressedImage& message
                          "plain images of it");
   }
   if (!has_header)
-    return imageOf(pixelsOf(message.data, 0, where), enc::TYPE_16UC1, message.header);
+    return imageMsg(pixelsOf(message.data, 0, where), enc::TYPE_16UC1, message.header);
   if (message.data.size() <= kHeaderBytes)
     throw occusg::refuse(where, "it has no data", "a PNG after 12 bytes is needed");
   const cv::Mat pixels = pixelsOf(message.data, kHeaderBytes, where);
-  if (!is_float) return imageOf(pixels, enc::TYPE_16UC1, message.header);
-  return imageOf(metresOf(pixels, parameterAt(message.data, 4), parameterAt(message.data, 8)),
-                 enc::TYPE_32FC1, message.header);
+  if (!is_float) return imageMsg(pixels, enc::TYPE_16UC1, message.header);
+  return imageMsg(metresOf(pixels, parameterAt(message.data, 4), parameterAt(message.data, 8)),
+                  enc::TYPE_32FC1, message.header);
 }
 
 }  // namespace occusg_ros

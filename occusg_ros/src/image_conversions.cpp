@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <opencv2/imgproc.hpp>
 
@@ -73,6 +74,22 @@ cv::Mat toColorImage(const sensor_msgs::Image& image, const std::string& where) 
   cv::Mat bgr;
   cv::cvtColor(view, bgr, found->second.code);
   return bgr;
+}
+
+sensor_msgs::Image imageMsg(const cv::Mat& pixels, const std::string& encoding,
+                            const std_msgs::Header& header) {
+  sensor_msgs::Image image;
+  image.header = header;
+  image.encoding = encoding;
+  image.width = static_cast<std::uint32_t>(pixels.cols);
+  image.height = static_cast<std::uint32_t>(pixels.rows);
+  image.step = static_cast<std::uint32_t>(pixels.cols * pixels.elemSize());
+  image.data.resize(std::size_t{image.step} * image.height);
+  for (int row = 0; row < pixels.rows; ++row) {
+    std::memcpy(&image.data[static_cast<std::size_t>(row) * image.step], pixels.ptr(row),
+                image.step);
+  }
+  return image;
 }
 
 occusg::CameraModel toCameraModel(const sensor_msgs::CameraInfo& info, const std::string& where) {

@@ -28,13 +28,9 @@
 namespace occusg_ros {
 namespace {
 
-using std::chrono::milliseconds;
-
 constexpr double kIdle_s = 1.0;  // without a frame, the last layer goes out
 constexpr double kStampTolerance_s = 1e-6;
 constexpr double kFewValidPixels = 0.05;
-constexpr milliseconds kPoll{10};
-constexpr std::uint32_t kQueue = 10;
 
 }  // namespace
 
@@ -56,7 +52,8 @@ MappingNode::MappingNode(const NodeHandles& handles)
   advertise();
   resume();
   worker_ = std::make_unique<Worker>(
-      kPoll, [this] { return step(); }, [this](const Failure& failure) { onFailure(failure); });
+      kWorkerPoll, [this] { return step(); },
+      [this](const Failure& failure) { onFailure(failure); });
   subscribe();
 }
 
@@ -105,7 +102,7 @@ void MappingNode::subscribe() {
                own.advertiseService("load", &MappingNode::onLoad, this)};
   const std::string& place = handles_.inputs.getNamespace();
   info_subscriber_ = handles_.inputs.subscribe<sensor_msgs::CameraInfo>(
-      inputTopic(place, settings_.depth_info, "depth/camera_info"), kQueue,
+      inputTopic(place, settings_.depth_info, "depth/camera_info"), kInputQueue,
       guardedCallback(this, &MappingNode::onInfo, "a camera_info"));
   transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
   image_subscriber_ = transport_->subscribe(

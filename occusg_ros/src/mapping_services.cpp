@@ -18,7 +18,6 @@
 namespace occusg_ros {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{30000};
 constexpr const char* kMapFile = "map.ot";
 
 }  // namespace
@@ -122,7 +121,7 @@ bool MappingNode::onReset(std_srvs::Trigger::Request& /*request*/,
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.clear();
   }
-  response.success = worker_->run([this] { resetMap(); }, kPatience);
+  response.success = worker_->run([this] { resetMap(); }, kServicePatience);
   response.message = response.success ? "the map is empty" : "the map did not answer in time";
   return true;
 }
@@ -152,7 +151,7 @@ bool MappingNode::onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Res
           outcome->problem = error.what();
         }
       },
-      kPatience);
+      kServicePatience);
   const std::string problem = done ? outcome->problem : "the map did not answer in time";
   response.success = problem.empty();
   response.message = problem.empty() ? "saved" : problem;
@@ -171,7 +170,7 @@ bool MappingNode::onLoad(occusg::LoadMap::Request& request, occusg::LoadMap::Res
           *problem = error.what();
         }
       },
-      kPatience);
+      kServicePatience);
   response.success = done && problem->empty();
   response.message = !done ? "the map did not answer in time" : *problem;
   return true;

@@ -13,7 +13,7 @@
 namespace occusg_ros {
 namespace {
 
-constexpr std::uint32_t kQueue = 100;
+constexpr std::uint32_t kPoseQueue = 100;
 
 geometry_msgs::TransformStamped transformOf(const std_msgs::Header& header,
                                             const std::string& robot_frame,
@@ -46,12 +46,12 @@ PoseInput::PoseInput(ros::NodeHandle& nh, PoseInputConfig config, tf2_ros::Buffe
     : config_(std::move(config)), buffer_(buffer) {
   if (config_.source == PoseSource::kOdometry) {
     subscriber_ = nh.subscribe<nav_msgs::Odometry>(
-        config_.topic, kQueue, [this](const nav_msgs::OdometryConstPtr& odometry) {
+        config_.topic, kPoseQueue, [this](const nav_msgs::OdometryConstPtr& odometry) {
           take(transformOf(*odometry, config_.robot_frame));
         });
   } else if (config_.source == PoseSource::kPose) {
     subscriber_ = nh.subscribe<geometry_msgs::PoseStamped>(
-        config_.topic, kQueue, [this](const geometry_msgs::PoseStampedConstPtr& pose) {
+        config_.topic, kPoseQueue, [this](const geometry_msgs::PoseStampedConstPtr& pose) {
           take(transformOf(*pose, config_.robot_frame));
         });
   }

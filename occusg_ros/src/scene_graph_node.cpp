@@ -26,10 +26,6 @@
 namespace occusg_ros {
 namespace {
 
-using std::chrono::milliseconds;
-
-constexpr milliseconds kPoll{10};
-constexpr std::uint32_t kQueue = 10;
 constexpr std::uint32_t kUpdateQueue = 100;
 constexpr double kTick_s = 0.1;
 
@@ -53,7 +49,8 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
   advertiseTopics();
   resume();
   worker_ = std::make_unique<Worker>(
-      kPoll, [this] { return step(); }, [this](const Failure& failure) { onFailure(failure); });
+      kWorkerPoll, [this] { return step(); },
+      [this](const Failure& failure) { onFailure(failure); });
   advertiseServices();
   subscribe();
 }
@@ -107,9 +104,10 @@ void SceneGraphNode::subscribe() {
   ros::NodeHandle& nh = handles_.inputs;
   const std::string& place = nh.getNamespace();
   gaps_subscriber_ = nh.subscribe<occusg::OverheadGaps>(
-      "overhead_gaps", kQueue, guardedCallback(this, &SceneGraphNode::onGaps, "overhead gaps"));
+      "overhead_gaps", kInputQueue,
+      guardedCallback(this, &SceneGraphNode::onGaps, "overhead gaps"));
   grid_subscriber_ = nh.subscribe<nav_msgs::OccupancyGrid>(
-      inputTopic(place, settings_.map, "free_space"), kQueue,
+      inputTopic(place, settings_.map, "free_space"), kInputQueue,
       guardedCallback(this, &SceneGraphNode::onGrid, "a map"));
   // What changes a map that is published whole once: costmap_2d, move_base, explore_lite. Below the
   // topic's name after remapping, where those publish it.
@@ -117,10 +115,11 @@ void SceneGraphNode::subscribe() {
       grid_subscriber_.getTopic() + "_updates", kUpdateQueue,
       guardedCallback(this, &SceneGraphNode::onGridUpdate, "a part of the map"));
   detections_subscriber_ = nh.subscribe<occusg::DetectionArray>(
-      "detections", kQueue, guardedCallback(this, &SceneGraphNode::onDetections, "detections"));
+      "detections", kInputQueue,
+      guardedCallback(this, &SceneGraphNode::onDetections, "detections"));
   if (settings_.pose_source == PoseSource::kOdometry) {
     odometry_subscriber_ = nh.subscribe<nav_msgs::Odometry>(
-        inputTopic(place, settings_.odom, "odom"), kQueue,
+        inputTopic(place, settings_.odom, "odom"), kInputQueue,
         guardedCallback(this, &SceneGraphNode::onOdometry, "odometry"));
   }
   if (settings_.pose_source == PoseSource::kPose) {

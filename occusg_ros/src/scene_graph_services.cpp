@@ -18,7 +18,6 @@
 namespace occusg_ros {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{30000};
 constexpr std::size_t kMaxLabelLength = 64;
 
 template <typename Response>
@@ -56,7 +55,7 @@ std::string SceneGraphNode::onWorker(const std::function<void()>& work) {
           *problem = error.what();
         }
       },
-      kPatience);
+      kServicePatience);
   return done ? *problem : "the scene graph did not answer in time";
 }
 

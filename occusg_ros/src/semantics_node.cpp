@@ -21,9 +21,6 @@
 namespace occusg_ros {
 namespace {
 
-constexpr std::chrono::milliseconds kPoll{10};
-constexpr std::uint32_t kQueue = 10;
-
 std::unique_ptr<occusg::InstanceSegmenter> segmenterFor(const SemanticsSettings& settings,
                                                         occusg::OnnxSegmenterConfig config) {
   if (settings.model.empty()) {
@@ -41,13 +38,13 @@ SemanticsNode::SemanticsNode(const NodeHandles& handles)
     : handles_(handles),
       settings_(readSettings<SemanticsSettings>(handles.parameters, config_)),
       started_s_(steadySeconds()),
-      waiting_(kQueue),
+      waiting_(kInputQueue),
       segmenter_(segmenterFor(settings_, config_.segmenter)),
       builder_(config_.detection),
       tf_input_(tf_),
-      publisher_(handles_.inputs.advertise<occusg::DetectionArray>("detections", kQueue)),
+      publisher_(handles_.inputs.advertise<occusg::DetectionArray>("detections", kInputQueue)),
       worker_(std::make_unique<Worker>(
-          kPoll, [this] { return step(); },
+          kWorkerPoll, [this] { return step(); },
           [this](const Failure& failure) { onFailure(failure); })),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   diagnostics_.setHardwareID("none");
@@ -55,13 +52,13 @@ SemanticsNode::SemanticsNode(const NodeHandles& handles)
   ros::NodeHandle& nh = handles_.inputs;
   const std::string& place = nh.getNamespace();
   color_subscriber_.subscribe(nh, inputTopic(place, settings_.rgb_image, "rgb/image_rect_color"),
-                              kQueue);
+                              kInputQueue);
   depth_subscriber_.subscribe(nh, inputTopic(place, settings_.depth_image, "depth/image_rect"),
-                              kQueue);
+                              kInputQueue);
   info_subscriber_.subscribe(nh, inputTopic(place, settings_.depth_info, "depth/camera_info"),
-                             kQueue);
+                             kInputQueue);
   synchronizer_ = std::make_unique<message_filters::Synchronizer<Policy>>(
-      Policy(kQueue), color_subscriber_, depth_subscriber_, info_subscriber_);
+      Policy(kInputQueue), color_subscriber_, depth_subscriber_, info_subscriber_);
   synchronizer_->registerCallback(&SemanticsNode::onViews, this);
   health_timer_ = nh.createWallTimer(ros::WallDuration(1.0),
                                      [this](const ros::WallTimerEvent&) { checkHealth(); });

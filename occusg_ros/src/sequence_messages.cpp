@@ -4,41 +4,23 @@
 #include <sensor_msgs/image_encodings.h>
 
 #include <cmath>
-#include <cstring>
 #include <opencv2/imgcodecs.hpp>
 
 #include "occusg/error.hpp"
 #include "occusg/io/color_image.hpp"
+#include "occusg_ros/image_conversions.hpp"
 #include "occusg_ros/pose_conversions.hpp"
 
 namespace occusg_ros {
 namespace {
 
-constexpr double kMillimetres = 1000.0;
-
-sensor_msgs::Image imageOf(const cv::Mat& pixels, const std::string& encoding,
-                           const std_msgs::Header& header) {
-  sensor_msgs::Image image;
-  image.header = header;
-  image.encoding = encoding;
-  image.width = static_cast<std::uint32_t>(pixels.cols);
-  image.height = static_cast<std::uint32_t>(pixels.rows);
-  image.step = static_cast<std::uint32_t>(pixels.cols * pixels.elemSize());
-  image.data.resize(std::size_t{image.step} * image.height);
-  for (int row = 0; row < pixels.rows; ++row) {
-    std::memcpy(&image.data[static_cast<std::size_t>(row) * image.step], pixels.ptr(row),
-                image.step);
-  }
-  return image;
-}
-
 sensor_msgs::Image depthMsg(const occusg::DepthImage& depth, const std_msgs::Header& header) {
   namespace enc = sensor_msgs::image_encodings;
-  if (depth.pixels.type() == CV_16UC1 && depth.units_per_m == kMillimetres)
-    return imageOf(depth.pixels, enc::TYPE_16UC1, header);
+  if (depth.pixels.type() == CV_16UC1 && depth.units_per_m == kMillimetresPerMetre)
+    return imageMsg(depth.pixels, enc::TYPE_16UC1, header);
   cv::Mat metres;
   depth.pixels.convertTo(metres, CV_32F, 1.0 / depth.units_per_m);
-  return imageOf(metres, enc::TYPE_32FC1, header);
+  return imageMsg(metres, enc::TYPE_32FC1, header);
 }
 
 sensor_msgs::CameraInfo infoMsg(const occusg::CameraModel& camera, const std_msgs::Header& header) {
@@ -88,7 +70,7 @@ FrameMessages messagesOf(const occusg::Frame& frame, const ros::Time& stamp,
   messages.depth = depthMsg(frame.depth, header);
   if (frame.color_path) {
     const cv::Mat color = occusg::readColorImage(*frame.color_path);
-    messages.color = imageOf(color, sensor_msgs::image_encodings::BGR8, header);
+    messages.color = imageMsg(color, sensor_msgs::image_encodings::BGR8, header);
   }
   const occusg::Pose T_map_robot = robotBelow(frame.T_map_camera);
   messages.tf.transforms = {

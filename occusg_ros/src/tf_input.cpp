@@ -9,7 +9,7 @@
 namespace occusg_ros {
 namespace {
 
-constexpr std::uint32_t kQueue = 100;
+constexpr std::uint32_t kTfQueue = 100;
 constexpr double kWarningPeriod_s = 5.0;
 
 bool isRotation(const geometry_msgs::Quaternion& q) {
@@ -39,7 +39,7 @@ TfInput::TfInput(tf2_ros::Buffer& buffer) : buffer_(buffer), spinner_(1, &queue_
   node_.setCallbackQueue(&queue_);
   const auto listen = [this](const std::string& topic, bool is_static) {
     return node_.subscribe<tf2_msgs::TFMessage>(
-        topic, kQueue, [this, is_static](const tf2_msgs::TFMessageConstPtr& message) {
+        topic, kTfQueue, [this, is_static](const tf2_msgs::TFMessageConstPtr& message) {
           take(*message, is_static);
         });
   };

@@ -3,6 +3,7 @@
 
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
+#include <std_msgs/Header.h>
 
 #include <opencv2/core/mat.hpp>
 #include <string>
@@ -28,6 +29,11 @@ inline constexpr double kMillimetresPerMetre = 1000.0;
 /// The colour image in `image` as CV_8UC3, BGR; encodings bgr8, rgb8, bgra8, rgba8 and mono8.
 /// @throws occusg::Error as `toDepthImage`.
 [[nodiscard]] cv::Mat toColorImage(const sensor_msgs::Image& image, const std::string& where);
+
+/// `pixels` as a message, its pixels copied row by row.
+/// @param encoding one of sensor_msgs/image_encodings.h, of the type of `pixels`.
+[[nodiscard]] sensor_msgs::Image imageMsg(const cv::Mat& pixels, const std::string& encoding,
+                                          const std_msgs::Header& header);
 
 /// The intrinsics of the rectified image: those of P, or of K where P is not given; binning and
 /// region of interest taken into account.

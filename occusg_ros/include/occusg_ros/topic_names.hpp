@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace occusg_ros {
+
+/// Messages that wait at an input of a node before the oldest is dropped.
+inline constexpr std::uint32_t kInputQueue = 10;
 
 /// The namespace of the robot whose nodes are in `node_namespace`: the one above "occusg", where
 /// the launch files put the nodes; "/" for a node that is in no such namespace.

@@ -12,6 +12,11 @@
 
 namespace occusg_ros {
 
+/// How long the workers of the nodes wait for a reason before they look again.
+inline constexpr std::chrono::milliseconds kWorkerPoll{10};
+/// How long a service waits for what it asks of a worker.
+inline constexpr std::chrono::milliseconds kServicePatience{30000};
+
 /// One thread on which everything that touches a pipeline runs, so that no callback of ROS waits
 /// for a frame and no lock is held while one is processed.
 class Worker {

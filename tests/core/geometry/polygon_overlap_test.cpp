@@ -14,15 +14,13 @@
 #include "drawn_mask.hpp"
 #include "geometry/cell_outline.hpp"
 #include "occusg/error.hpp"
+#include "rings.hpp"
 
 namespace occusg {
 namespace {
 
-Ring box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
-
-Ring reversed(Ring ring) { return {ring.rbegin(), ring.rend()}; }
+using testing::box;
+using testing::reversed;
 
 double totalArea(const std::vector<Polygon>& polygons) {
   double sum = 0.0;

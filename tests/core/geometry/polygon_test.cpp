@@ -9,14 +9,13 @@
 #include <random>
 #include <vector>
 
+#include "rings.hpp"
+
 namespace occusg {
 namespace {
 
-Ring box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
-
-Ring reversed(Ring ring) { return {ring.rbegin(), ring.rend()}; }
+using testing::box;
+using testing::reversed;
 
 /// A 4 x 4 m room with a 1 x 1 m pillar in its left half.
 Polygon roomWithPillar() { return {box(0, 0, 4, 4), {reversed(box(1, 1, 2, 2))}}; }

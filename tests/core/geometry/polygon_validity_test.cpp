@@ -4,13 +4,12 @@
 #include <limits>
 
 #include "occusg/geometry/polygon.hpp"
+#include "rings.hpp"
 
 namespace occusg {
 namespace {
 
-Ring box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+using testing::box;
 
 Polygon roomWith(const std::vector<Ring>& holes) { return {box(0, 0, 8, 8), holes}; }
 

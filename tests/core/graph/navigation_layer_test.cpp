@@ -68,10 +68,10 @@ std::size_t edgesOverClosedCells(const PaintedFloor& floor) {
   return count;
 }
 
-NavigationLayerConfig paper() { return {15, 25, 0, NavigationNodes::kOnePerBlock}; }
+NavigationLayerConfig paperNavigation() { return {15, 25, 0, NavigationNodes::kOnePerBlock}; }
 
 TEST(NavigationLayer, ABlockNeedsTwentyFiveFreeCells) {
-  PaintedFloor floor(paper());
+  PaintedFloor floor(paperNavigation());
   floor.paint(0, 0, 4, 6);  // 24 cells
   floor.update();
   EXPECT_TRUE(floor.nodes().empty());
@@ -83,7 +83,7 @@ TEST(NavigationLayer, ABlockNeedsTwentyFiveFreeCells) {
 }
 
 TEST(NavigationLayer, BlocksAreAlignedToWorldZeroAndEightConnected) {
-  PaintedFloor floor(paper());
+  PaintedFloor floor(paperNavigation());
   floor.paint(-30, -15, 30, 15);  // 4 x 2 blocks
   floor.update();
   ASSERT_EQ(floor.nodes().size(), 8U);
@@ -96,7 +96,7 @@ TEST(NavigationLayer, BlocksAreAlignedToWorldZeroAndEightConnected) {
 }
 
 TEST(NavigationLayer, DiagonalBlocksAreJoinedOnlyThroughFreeCellsOfTheirOwn) {
-  PaintedFloor floor(paper());
+  PaintedFloor floor(paperNavigation());
   floor.paint(5, 5, 15, 15);
   floor.paint(15, 15, 25, 25);  // touches the first in a corner
   floor.update();
@@ -157,7 +157,7 @@ TEST(NavigationLayer, ANodeIsRemovedWithHysteresis) {
 }
 
 TEST(NavigationLayer, PaperKeepsANodeWhateverBecomesOfItsBlock) {
-  PaintedFloor floor(paper());
+  PaintedFloor floor(paperNavigation());
   floor.paint(0, 0, 15, 15);
   floor.update();
   floor.paint(0, 0, 15, 15, kFullObstacle);

@@ -35,7 +35,7 @@ FreeSpace twoRoomLayer() {
   return layer;
 }
 
-OverviewContent twoRooms() {
+OverviewContent twoRoomsContent() {
   return {"two rooms",
           {{1, "kitchen", rectangle(0.2, 0.2, 4.2, 4.8)},
            {2, "unknown", rectangle(4.4, 0.2, 8.4, 4.8)}},
@@ -73,7 +73,7 @@ TEST(OverviewPicture, LongerSideIs1600InEveryShape) {
 }
 
 TEST(OverviewPicture, ShowsWallsPathAndCrossings) {
-  const cv::Mat picture = drawOverview(twoRoomLayer(), twoRooms());
+  const cv::Mat picture = drawOverview(twoRoomLayer(), twoRoomsContent());
   EXPECT_GT(countOf(picture, kWallBgr), 20'000);
   EXPECT_GT(countOf(picture, kPathBgr), 1'000);
   EXPECT_GT(countOf(picture, kCrossingBgr), 500);
@@ -81,14 +81,14 @@ TEST(OverviewPicture, ShowsWallsPathAndCrossings) {
 }
 
 TEST(OverviewPicture, FreeSpaceOutsideRoomsIsGreyAndInsideTinted) {
-  OverviewContent content = twoRooms();
+  OverviewContent content = twoRoomsContent();
   const int tinted = countOf(drawOverview(twoRoomLayer(), content), kFreeBgr);
   content.rooms.clear();
   EXPECT_GT(countOf(drawOverview(twoRoomLayer(), content), kFreeBgr), tinted + 500'000);
 }
 
 TEST(OverviewPicture, ColourOfARoomFollowsItsIdAlone) {
-  OverviewContent content = twoRooms();
+  OverviewContent content = twoRoomsContent();
   content.trajectory.clear();
   const cv::Mat one = drawOverview(twoRoomLayer(), content);
   std::swap(content.rooms[0], content.rooms[1]);
@@ -110,7 +110,7 @@ TEST(OverviewPicture, UpIsUp) {
 }
 
 TEST(OverviewPicture, HoleOfARoomKeepsTheColourBeneath) {
-  OverviewContent content = twoRooms();
+  OverviewContent content = twoRoomsContent();
   content.rooms = {{1, "", rectangle(0.2, 0.2, 4.2, 4.8)}};
   const int whole = countOf(drawOverview(twoRoomLayer(), content), kFreeBgr);
   content.rooms[0].polygon.holes = {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}};
@@ -118,8 +118,8 @@ TEST(OverviewPicture, HoleOfARoomKeepsTheColourBeneath) {
 }
 
 TEST(OverviewPicture, EqualInputGivesEqualPixels) {
-  EXPECT_TRUE(
-      isSame(drawOverview(twoRoomLayer(), twoRooms()), drawOverview(twoRoomLayer(), twoRooms())));
+  EXPECT_TRUE(isSame(drawOverview(twoRoomLayer(), twoRoomsContent()),
+                     drawOverview(twoRoomLayer(), twoRoomsContent())));
 }
 
 TEST(OverviewPicture, EmptyMapSaysSo) {
@@ -130,7 +130,7 @@ TEST(OverviewPicture, EmptyMapSaysSo) {
 }
 
 TEST(OverviewPicture, WhatIsNotFiniteIsLeftOut) {
-  OverviewContent content = twoRooms();
+  OverviewContent content = twoRoomsContent();
   const cv::Mat clean = drawOverview(twoRoomLayer(), content);
   content.trajectory.insert(content.trajectory.begin() + 1, {kNan, 0.0});
   content.trajectory.push_back({0.0, 1e300});
@@ -152,7 +152,7 @@ TEST(OverviewPicture, ExtremeContentIsDrawnWithoutHarm) {
   FreeSpace no_lattice = twoRoomLayer();
   for (const double bad : {0.0, -1.0, kNan, 1e-9, HUGE_VAL}) {
     no_lattice.frame.resolution_m = bad;
-    EXPECT_FALSE(drawOverview(no_lattice, twoRooms()).empty());
+    EXPECT_FALSE(drawOverview(no_lattice, twoRoomsContent()).empty());
   }
 }
 
@@ -168,7 +168,7 @@ TEST(OverviewPicture, ManyRoomsOfAllSizesAreDrawn) {
 }
 
 TEST(OverviewPicture, EncodesAsPng) {
-  const cv::Mat picture = drawOverview(twoRoomLayer(), twoRooms());
+  const cv::Mat picture = drawOverview(twoRoomLayer(), twoRoomsContent());
   const std::string png = encodePng(picture);
   const cv::Mat again =
       cv::imdecode(std::vector<unsigned char>(png.begin(), png.end()), cv::IMREAD_COLOR);

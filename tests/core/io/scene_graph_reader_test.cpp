@@ -23,7 +23,7 @@ using testing::tells;
 
 constexpr NodeId kRoom = 4'000'000;
 
-RoomAttributes roomFrom(double x0, const std::string& name, int region_id) {
+RoomAttributes kitchenFrom(double x0, const std::string& name, int region_id) {
   RoomAttributes room;
   room.name = name;
   room.region_id = region_id;
@@ -42,15 +42,15 @@ SceneGraph fullGraph() {
   pose.translation() = Eigen::Vector3d(1, 2, 1.25);
   const NodeId agent = graph.add(pose.translation(), 1.5, AgentAttributes{pose}).id;
   const NodeId next_agent = graph.add(pose.translation(), 2.5, AgentAttributes{pose}).id;
-  RoomAttributes labelled = roomFrom(0, "room_1", 7);
+  RoomAttributes labelled = kitchenFrom(0, "room_1", 7);
   labelled.state = RoomState::kPartial;
   labelled.frontier_share = 0.25;
   labelled.label = "<kitchen & \"bath\">";
   labelled.label_score = 1.0;
   labelled.label_source = LabelSource::kPerson;
   const NodeId left = graph.add({2, 1.5, 0}, 3.0, labelled).id;
-  const NodeId gone = graph.add({2, 1.5, 0}, 3.0, roomFrom(9, "room_2", 8)).id;
-  RoomAttributes missing = roomFrom(4, "room_3", 9);
+  const NodeId gone = graph.add({2, 1.5, 0}, 3.0, kitchenFrom(9, "room_2", 8)).id;
+  RoomAttributes missing = kitchenFrom(4, "room_3", 9);
   missing.unsupported_since_s = 4.25;
   const NodeId right = graph.add({6, 1.5, 0}, 3.0, missing).id;
   graph.remove(gone);

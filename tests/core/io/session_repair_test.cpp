@@ -20,7 +20,7 @@ using testing::TemporaryFolder;
 constexpr double kNow_s = 1000.0;
 
 /// Two agents, seen at 10 s and 12.5 s.
-SessionState sampleState() {
+SessionState soundState() {
   SessionState state;
   state.scene = "flat";
   state.stamp_s = 12.5;
@@ -39,7 +39,7 @@ class SessionRepair : public ::testing::Test {
   SessionRepair() : map_(OccupancyMapConfig{}) {
     testing::insertSlice(map_, {"..#", ".#.", "###"});
   }
-  void save(const SessionState& state = sampleState()) const {
+  void save(const SessionState& state = soundState()) const {
     saveSession(path_, map_.tree(), state);
   }
   [[nodiscard]] RepairedSession repaired() const {
@@ -64,11 +64,11 @@ TEST_F(SessionRepair, SessionThatIsFineIsReadAsItIs) {
   const RepairedSession read = repaired();
   EXPECT_TRUE(read.repairs.empty());
   EXPECT_TRUE(read.session.map.has_value());
-  EXPECT_EQ(toJson(read.session.state.graph.graph, ""), toJson(sampleState().graph.graph, ""));
+  EXPECT_EQ(toJson(read.session.state.graph.graph, ""), toJson(soundState().graph.graph, ""));
 }
 
 TEST_F(SessionRepair, FailureMode6StampsFromTheFutureBecomeTheLatestThatCanBe) {
-  SessionState state = sampleState();
+  SessionState state = soundState();
   state.stamp_s = 4294967295.0;
   state.graph.last_maintenance_s = 4294967295.0;
   state.graph.graph.add({3, 1, 0}, 4294967295.0, AgentAttributes{});
@@ -83,7 +83,7 @@ TEST_F(SessionRepair, FailureMode6StampsFromTheFutureBecomeTheLatestThatCanBe) {
 }
 
 TEST_F(SessionRepair, StampsThatCanBeStayAndNoNodeCountsAsChanged) {
-  SessionState state = sampleState();
+  SessionState state = soundState();
   const Revision before = state.graph.graph.revision();
   EXPECT_EQ(repairStamps(state, kNow_s), 0U);
   EXPECT_EQ(state.graph.graph.revision(), before);
@@ -122,7 +122,7 @@ TEST_F(SessionRepair, SessionThatAKilledSaveSetAsideIsReadAndRepaired) {
   fs::rename(path_, folder_.at(".session.before"));
   EXPECT_NO_THROW((void)loadSession(path_, OccupancyMapConfig{}));
   EXPECT_EQ(repaired().repairs.size(), 1U);
-  SessionState next = sampleState();
+  SessionState next = soundState();
   next.stamp_s = 20.0;
   save(next);
   EXPECT_EQ(loadSession(path_, OccupancyMapConfig{}).state.stamp_s, 20.0);

@@ -9,10 +9,13 @@
 #include <random>
 #include <string>
 
+#include "equal_decompositions.hpp"
 #include "occusg/regions/region_tracker.hpp"
 
 namespace occusg {
 namespace {
+
+using testing::expectEqual;
 
 constexpr double kResolution_m = 0.1;
 
@@ -63,27 +66,6 @@ CellBox randomBox(std::mt19937& random, const CellBox& within) {
   std::uniform_int_distribution<int> side(1, random() % 3 == 0 ? 20 : 5);
   const Cell low{x(random), y(random)};
   return {low, {low.x + side(random), low.y + side(random)}};
-}
-
-void expectEqual(const Decomposition& a, const Decomposition& b) {
-  ASSERT_EQ(a.regions.size(), b.regions.size());
-  for (std::size_t i = 0; i < a.regions.size(); ++i) {
-    EXPECT_EQ(a.regions[i].id, b.regions[i].id);
-    EXPECT_EQ(a.regions[i].polygon.outer, b.regions[i].polygon.outer);
-    EXPECT_EQ(a.regions[i].polygon.holes, b.regions[i].polygon.holes);
-    EXPECT_EQ(a.regions[i].area_m2, b.regions[i].area_m2);
-    EXPECT_EQ(a.regions[i].centroid, b.regions[i].centroid);
-    EXPECT_EQ(a.regions[i].cells, b.regions[i].cells);
-    EXPECT_EQ(a.regions[i].adjacent, b.regions[i].adjacent);
-  }
-  ASSERT_EQ(a.crossings.size(), b.crossings.size());
-  for (std::size_t i = 0; i < a.crossings.size(); ++i) {
-    EXPECT_EQ(a.crossings[i].region_a, b.crossings[i].region_a);
-    EXPECT_EQ(a.crossings[i].region_b, b.crossings[i].region_b);
-    EXPECT_EQ(a.crossings[i].segment.a, b.crossings[i].segment.a);
-    EXPECT_EQ(a.crossings[i].segment.b, b.crossings[i].segment.b);
-  }
-  EXPECT_TRUE(a.labels == b.labels);
 }
 
 /// What the layer gives when nothing came before it.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "drawn_grid.hpp"
+#include "equal_decompositions.hpp"
 #include "floor_plans.hpp"
 #include "geometry/cell_outline.hpp"
 #include "occusg/regions/constriction_decomposer.hpp"
@@ -23,6 +24,8 @@
 
 namespace occusg {
 namespace {
+
+using testing::expectEqual;
 
 /// Free space that hangs together over less may be dropped.
 constexpr double kLargestSpeck_m2 = 1.0;
@@ -166,22 +169,6 @@ void expectContract(const FreeSpace& layer, const Decomposition& result, Islands
   expectOnlyEnclosedIslandsFilled(layer, result, islands);
   expectRegionsMatchLabels(result);
   expectAdjacencyMatchesCrossings(result);
-}
-
-void expectEqual(const Decomposition& a, const Decomposition& b) {
-  EXPECT_TRUE(a.labels == b.labels);
-  ASSERT_EQ(a.regions.size(), b.regions.size());
-  for (std::size_t i = 0; i < a.regions.size(); ++i) {
-    EXPECT_EQ(a.regions[i].polygon.outer, b.regions[i].polygon.outer);
-    EXPECT_EQ(a.regions[i].polygon.holes, b.regions[i].polygon.holes);
-    EXPECT_EQ(a.regions[i].adjacent, b.regions[i].adjacent);
-    EXPECT_EQ(a.regions[i].centroid, b.regions[i].centroid);
-  }
-  ASSERT_EQ(a.crossings.size(), b.crossings.size());
-  for (std::size_t i = 0; i < a.crossings.size(); ++i) {
-    EXPECT_EQ(a.crossings[i].segment.a, b.crossings[i].segment.a);
-    EXPECT_EQ(a.crossings[i].segment.b, b.crossings[i].segment.b);
-  }
 }
 
 template <typename Implementation>

@@ -4,12 +4,9 @@
 #include <vector>
 
 #include "occusg/evaluation/evaluated_room.hpp"
+#include "rings.hpp"
 
 namespace occusg::testing {
-
-inline Ring box(double x0, double y0, double x1, double y1) {
-  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
 
 /// Rooms numbered from 1, one a ring.
 inline std::vector<EvaluatedRoom> roomsOf(const std::vector<Ring>& rings) {
