@@ -99,6 +99,7 @@ occusg_add_module(regions
     free_pieces.cpp
     label_regions.cpp
     lintels.cpp
+    low_ceilings.cpp
     no_rooms.cpp
     outside.cpp
     passages.cpp

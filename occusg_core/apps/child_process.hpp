@@ -20,6 +20,8 @@ class ChildProcess {
   ChildProcess(const std::vector<std::string>& command, const std::string& log_path);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
+  ChildProcess(ChildProcess&&) = delete;
+  ChildProcess& operator=(ChildProcess&&) = delete;
   ~ChildProcess();
 
   /// How it ended, once it has: 0 for fine, the exit code, or minus the number of the signal.

@@ -14,6 +14,8 @@ class ProgressBar {
   ProgressBar(std::string what, std::size_t total);
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
+  ProgressBar(ProgressBar&&) = delete;
+  ProgressBar& operator=(ProgressBar&&) = delete;
   ~ProgressBar();
 
   void update(std::size_t done);

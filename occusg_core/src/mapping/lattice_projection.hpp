@@ -132,10 +132,10 @@ class LatticeProjection {
 
   /// Columns to both sides of its centre's pixel a cube covers, when it is not far off the axis.
   [[nodiscard]] int columnsAbout(const ViewPoint& center, std::size_t size) const {
-    return static_cast<int>(corners_[size].width / std::max(center.z, kNearest) + 0.5F);
+    return static_cast<int>(corners_[size].width / std::max(center.z, kNearest) + kToNearest);
   }
   [[nodiscard]] int rowsAbout(const ViewPoint& center, std::size_t size) const {
-    return static_cast<int>(corners_[size].height / std::max(center.z, kNearest) + 0.5F);
+    return static_cast<int>(corners_[size].height / std::max(center.z, kNearest) + kToNearest);
   }
   /// Rows over a length at a depth, both in voxels.
   [[nodiscard]] float rowsOver(float length, float depth) const {
@@ -146,6 +146,7 @@ class LatticeProjection {
   [[nodiscard]] float denseDepth() const { return dense_depth_; }
 
  private:
+  static constexpr float kToNearest = 0.5F;       ///< Makes a cast round; nothing is negative here.
   static constexpr float kNearest = 0.05F;        ///< Voxels in front of the camera.
   static constexpr float kSurelyCrossed = 0.48F;  ///< Below the radius of a voxel's inner sphere.
 

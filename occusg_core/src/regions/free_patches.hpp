@@ -13,17 +13,20 @@
 
 namespace occusg {
 
-/// Name of a patch: positive for open space, negative for space under a lintel.
+/// Name of a patch: positive for open space, rooms with a low ceiling included, negative for space
+/// under a lintel.
 using PatchId = std::int32_t;
 inline constexpr PatchId kNoPatch = 0;
 
 [[nodiscard]] constexpr bool isOpenPatch(PatchId id) { return id > kNoPatch; }
 
 /// A 4-connected set of free cells with something overhead that counts as a lintel, or of those
-/// without.
+/// without. What is wide enough for a room among the former is a patch of its own, the rest around
+/// it is one or several (regions/low_ceilings.hpp).
 struct Patch {
   std::vector<Cell> cells;
   CellBox bounds;
+  std::vector<PatchId> parted;  ///< The patches it was parted from, if any: they change together.
 };
 
 /// Which patches an update replaced.
@@ -57,12 +60,16 @@ class FreePatches {
   };
 
   [[nodiscard]] Flips flipsIn(const FreeSpace& layer, const CellBox& changed) const;
+  void takeOut(PatchId id, std::map<PatchId, Patch>& gone);
   [[nodiscard]] PatchId flood(const Cell& start, Grid<PatchId>& ids);
+  [[nodiscard]] std::vector<PatchId> partLowRooms(PatchId lintel, double resolution_m,
+                                                  Grid<PatchId>& ids);
 
   LintelHeights heights_;
   TiledGrid<PatchId> ids_{kNoPatch};
   std::map<PatchId, Patch> patches_;
-  PatchId last_ = 0;
+  PatchId last_ = 0;      ///< Largest name of a patch that is no room with a low ceiling.
+  PatchId last_low_ = 0;  ///< The same of those that are.
 };
 
 }  // namespace occusg

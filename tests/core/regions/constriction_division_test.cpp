@@ -74,10 +74,18 @@ Decomposition cutAnew(const FreeSpace& layer, const ConstrictionDecomposerConfig
   return decomposer.update(layer, layer.cells.box());
 }
 
-void expectSameAsCutAnew(const ConstrictionDecomposerConfig& config, unsigned seed) {
+/// The same, two of them with a ceiling as low as the lintels.
+FreeSpace fourRoomsTwoOfThemLow() {
+  FreeSpace layer = fourRooms();
+  paint({{2, 2}, {32, 32}}, Paint::kLintel, layer);
+  paint({{2, 34}, {32, 64}}, Paint::kLintel, layer);
+  return layer;
+}
+
+void expectSameAsCutAnew(const ConstrictionDecomposerConfig& config, unsigned seed,
+                         FreeSpace layer = fourRooms()) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
-  FreeSpace layer = fourRooms();
   ConstrictionDecomposer decomposer(config);
   for (int step = 0; step < 30; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
@@ -113,6 +121,30 @@ TEST(ConstrictionDivision, ResultIsThatOfTheLastLayerAloneWhateverTheParameters)
     expectSameAsCutAnew(fills_much, seed);
     expectSameAsCutAnew(without_lintels, seed);
   }
+}
+
+TEST(ConstrictionDivision, ResultIsThatOfTheLastLayerAloneUnderLowCeilings) {
+  for (unsigned seed = 200; seed < 230; ++seed)
+    expectSameAsCutAnew({}, seed, fourRoomsTwoOfThemLow());
+}
+
+TEST(ConstrictionDivision, RoomsWithALowCeilingAreRegionsAsOthersAre) {
+  const Decomposition high = cutAnew(fourRooms(), {});
+  const Decomposition low = cutAnew(fourRoomsTwoOfThemLow(), {});
+  ASSERT_EQ(high.regions.size(), 4U);
+  ASSERT_EQ(low.regions.size(), 4U);
+  EXPECT_EQ(low.crossings.size(), high.crossings.size());
+  for (std::size_t i = 0; i < 4; ++i) {
+    // The floor of a doorway may go to the other side of it.
+    EXPECT_NEAR(low.regions[i].area_m2, high.regions[i].area_m2, 0.3);
+    EXPECT_EQ(low.regions[i].adjacent, high.regions[i].adjacent);
+  }
+}
+
+TEST(ConstrictionDivision, NarrowPassageWithALowCeilingIsNoRegion) {
+  FreeSpace layer = fourRooms();
+  paint({{32, 12}, {34, 26}}, Paint::kLintel, layer);  // 0.2 m deep, 1.4 m wide
+  EXPECT_EQ(cutAnew(layer, {}).regions.size(), 4U);
 }
 
 /// Every cell has the id that the track of its region has.
