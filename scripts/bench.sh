@@ -6,19 +6,22 @@
 #        scripts/bench.sh graph                  one update of scene graphs of 10 to 1000 rooms
 #        scripts/bench.sh regions                one update of the regions in buildings of 100 to 10 000 m2
 #        scripts/bench.sh saving                 a save of 10 000 m2, and a million agents in a session
+#        scripts/bench.sh shutdown               SIGINT to exit with a map of 10 000 m2 and an autosave every second
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 what=${1:-}
-if [[ ! "$what" =~ ^(decomposition|mapping|graph|regions|saving)$ ]] || [ $# -gt 2 ] || [[ "$what" =~ ^(graph|regions|saving)$ && $# -gt 1 ]]; then
-  echo "usage: scripts/bench.sh decomposition [MAPS] | mapping [RECORDINGS] | graph | regions | saving" >&2
+if [[ ! "$what" =~ ^(decomposition|mapping|graph|regions|saving|shutdown)$ ]] || [ $# -gt 2 ] || [[ "$what" =~ ^(graph|regions|saving|shutdown)$ && $# -gt 1 ]]; then
+  echo "usage: scripts/bench.sh decomposition [MAPS] | mapping [RECORDINGS] | graph | regions | saving | shutdown" >&2
   exit 2
 fi
 data=${2:+$(cd "$2" && pwd)}
 variable=OCCUSG_MAPS2D_DIR
 if [ "$what" = mapping ]; then variable=OCCUSG_RGBD_DIR; fi
 
-"$root/scripts/install_dependencies.sh" --for development --without-ros >&2
-"$root/scripts/build.sh" --no-install --without-ros -D$variable="$data" > "$root/build/bench.log" 2>&1 || {
+ros=(--without-ros)
+if [ "$what" = shutdown ]; then ros=(); fi
+"$root/scripts/install_dependencies.sh" --for development "${ros[@]}" >&2
+"$root/scripts/build.sh" --no-install "${ros[@]}" -D$variable="$data" > "$root/build/bench.log" 2>&1 || {
   tail -n 40 "$root/build/bench.log" >&2
   exit 1
 }
@@ -28,6 +31,13 @@ if [ "$what" = saving ]; then
   work=$(mktemp -d)
   trap 'rm -rf --one-file-system "$work"' EXIT
   "$root/build/release/benchmarks/saving_benchmark" "$work"
+  exit
+fi
+if [ "$what" = shutdown ]; then
+  work=$(mktemp -d)
+  trap 'rm -rf --one-file-system "$work"' EXIT
+  "$root/build/release/benchmarks/saving_benchmark" "$work" >&2
+  "$root/devel/env.sh" "$root/benchmarks/shutdown_time.py" "$work/map.ot" "$root/examples/apartment"
   exit
 fi
 

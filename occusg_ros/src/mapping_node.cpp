@@ -65,12 +65,10 @@ MappingNode::~MappingNode() {
   for (ros::ServiceServer& service : services_) service.shutdown();
   reconfigure_.reset();
   worker_.reset();
-  if (!settings_.saving.save_on_exit || map_->counts().frames == 0) return;
-  try {
-    ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
-  } catch (const std::exception& error) {
-    ROS_ERROR_STREAM(handles_.name << ": not saved: " << error.what());
-  }
+  saveAtEnd();
+  // The process ends, and its memory with it: taking a large map apart voxel by voxel takes
+  // seconds.
+  if (ros::isShuttingDown()) (void)map_.release();
 }
 
 void MappingNode::advertise() {
@@ -266,6 +264,10 @@ std::string MappingNode::tfProblem() const {
 }
 
 Worker::Progress MappingNode::step() {
+  if (ros::isShuttingDown()) {
+    saveAtEnd();
+    return Worker::Progress::kIdle;
+  }
   saveFromTimeToTime();
   dropLateImages();
   PendingFrames<WaitingImage>::Taken taken = nextImage();

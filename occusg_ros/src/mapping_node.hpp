@@ -106,6 +106,7 @@ class MappingNode {
   [[nodiscard]] Saver::Writing writingTo(const std::string& name, Saver::When when) const;
   [[nodiscard]] std::string save(const std::string& name);
   void saveFromTimeToTime();
+  void saveAtEnd();
   void noteSave(const std::string& folder, const std::string& problem);
   void load(const std::string& name);
   void resume();
@@ -154,6 +155,7 @@ class MappingNode {
   double last_voxels_s_ = 0.0;  ///< Steady clock [s].
   double last_status_s_ = 0.0;  ///< Steady clock [s].
   std::size_t frames_saved_ = 0;
+  bool is_saved_at_end_ = false;
   SavedGenerations generations_;
   Saver saver_;
 

@@ -68,12 +68,7 @@ SceneGraphNode::~SceneGraphNode() {
   reconfigure_.reset();
   worker_.reset();
   marker_publisher_.shutdown();
-  if (!settings_.saving.save_on_exit || !rooms_->lastUpdate()) return;
-  try {
-    ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
-  } catch (const std::exception& error) {
-    ROS_ERROR_STREAM(handles_.name << ": not saved: " << error.what());
-  }
+  saveAtEnd();
 }
 
 void SceneGraphNode::advertiseTopics() {
@@ -307,6 +302,10 @@ void SceneGraphNode::tick() {
 }
 
 Worker::Progress SceneGraphNode::step() {
+  if (ros::isShuttingDown()) {
+    saveAtEnd();
+    return Worker::Progress::kIdle;
+  }
   saveFromTimeToTime();
   const std::optional<WaitingMap::Map> waiting = nextMap();
   if (!waiting) return Worker::Progress::kIdle;

@@ -117,6 +117,7 @@ class SceneGraphNode {
   [[nodiscard]] Saver::Writing writingTo(const std::string& name, Saver::When when) const;
   [[nodiscard]] std::string save(const std::string& name);
   void saveFromTimeToTime();
+  void saveAtEnd();
   void noteSave(const std::string& folder, const std::string& problem);
   void load(const std::string& name);
   void resume();
@@ -181,6 +182,7 @@ class SceneGraphNode {
   double last_status_s_ = 0.0;  ///< Steady clock [s].
   bool has_doubted_size_ = false;
   std::uint64_t sequence_saved_ = 0;
+  bool is_saved_at_end_ = false;
   SavedGenerations generations_;
   Saver saver_;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "io/json_text.hpp"
+#include "occusg/geometry/grid.hpp"
 
 namespace occusg {
 namespace {
@@ -45,11 +46,16 @@ void paintCells(Canvas& canvas, const OverviewView& view, const FreeSpace& layer
   std::vector<int> cell_x(static_cast<std::size_t>(pixels.cols));
   for (int column = 0; column < pixels.cols; ++column)
     cell_x[static_cast<std::size_t>(column)] = cellOf(column, 0).x;
+  const CellBox box = layer.cells.box();
+  Grid<std::int8_t> line;
   for (int row = 0; row < pixels.rows; ++row) {
     const int cell_y = cellOf(0, row).y;
+    // Several pictured rows lie in a row of cells.
+    if (line.box().min.y != cell_y || line.empty())
+      line = layer.cells.dense({{box.min.x, cell_y}, {box.max.x, cell_y + 1}});
     for (int column = 0; column < pixels.cols; ++column) {
       const Cell cell{cell_x[static_cast<std::size_t>(column)], cell_y};
-      const std::int8_t value = layer.cells.valueOr(cell, kUnknown);
+      const std::int8_t value = line.valueOr(cell, kUnknown);
       if (value == kUnknown || (value == kFree) != (kind == CellKind::kFreeSpace)) continue;
       const RgbColor color = colorOf(value);
       pixels.at<cv::Vec3b>(row, column) = {color.b, color.g, color.r};

@@ -28,10 +28,11 @@ json membersOf(const Node& node) {
   return members;
 }
 
-json membersOf(const Edge& edge) {
-  json members = {{"type", nameOf(edge.type)}, {"source", edge.source}, {"target", edge.target}};
+/// Writes what tells one edge of a type from another into its members.
+void write(const Edge& edge, json& members) {
+  members["source"] = edge.source;
+  members["target"] = edge.target;
   if (edge.type == EdgeType::kRoomAdjacency) members["crossings"] = crossingsOf(edge);
-  return members;
 }
 
 constexpr const char* kGraphPlace = "scene graph";
@@ -77,8 +78,12 @@ void writeJson(const SceneGraph& graph, const std::string& scene, const std::str
   document.endList();
   document.beginList("edges");
   for (std::size_t type = 0; type < kEdgeTypeCount; ++type) {
-    for (const auto& [ends, edge] : graph.edges(static_cast<EdgeType>(type)))
-      document.element(membersOf(edge));
+    json members;  // of one edge after another: there are many, and each would be built anew
+    for (const auto& [ends, edge] : graph.edges(static_cast<EdgeType>(type))) {
+      if (members.is_null()) members["type"] = nameOf(edge.type);
+      write(edge, members);
+      document.element(members);
+    }
   }
   document.endList();
   document.end();
