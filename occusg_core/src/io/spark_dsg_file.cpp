@@ -219,7 +219,7 @@ void overwrite(json& element, const Edge& edge) {
 }
 
 // Most of a graph is navigation nodes and edges, each with dozens of members that never differ: one
-// document serves for all of them, which takes a third of the time.
+// document serves for all of them instead of one being built for each.
 void addNavigationNodes(const SceneGraph& graph, const Layer& layer, JsonStream& document) {
   json element;
   for (const auto& [id, node] : graph.nodes(NodeType::kNavigation)) {

@@ -12,9 +12,9 @@
 namespace occusg {
 namespace {
 
-/// [m] Half the side of the smallest room; passages deeper than their lintel is wide are rare.
+/// [m] Of a disc that no beam, pipe or doorway in a thick wall has room for.
 constexpr double kDiscRadius_m = 0.75;
-/// [cells] What a disc loses at its border: one ring, in every direction.
+/// [cells] How much smaller the disc is that is kept: diagonally too, a ring of cells is left.
 constexpr double kRing_cells = 1.5;
 
 }  // namespace
