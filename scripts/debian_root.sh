@@ -28,7 +28,8 @@ make_root() {
   while read -r setting; do
     options+=("--aptopt=$setting")
   done < <(apt-config dump | grep -E '^Acquire::(http|https)::Proxy|^Acquire::Check-(Valid-Until|Date)')
-  mmdebstrap --quiet --variant=apt --include=ca-certificates,git,passwd,sudo "${options[@]}" \
+  # The system is thrown away: nobody waits until each file of a package is safe on the disk.
+  mmdebstrap --quiet --variant=apt --dpkgopt=force-unsafe-io --include=ca-certificates,git,passwd,sudo "${options[@]}" \
     "$release" "$folder" "deb $source $release main"
   # Registries behind a certificate of the host's own are reached with the host's certificates.
   if [ -s /etc/ssl/certs/ca-certificates.crt ]; then
