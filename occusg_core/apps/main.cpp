@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cerrno>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "command_line.hpp"
@@ -82,9 +84,24 @@ std::string helpFor(const std::vector<std::string>& arguments) {
   return has_command ? "occusg help " + arguments.front() : "occusg --help";
 }
 
+/// What was printed may still be on its way: a full disk shows only now.
+/// @throws Error when it cannot be printed.
+void flushOutput() {
+  const bool was_good = std::cout.good();
+  errno = 0;
+  std::cout.flush();
+  if (std::cout.good()) return;
+  const std::string why =
+      was_good && errno != 0 ? " (" + std::generic_category().message(errno) + ")" : "";
+  throw refuse("standard output", "cannot be written" + why,
+               "a place with space left is needed; files of results are not affected");
+}
+
 int guarded(const std::vector<std::string>& arguments) {
   try {
-    return dispatch(arguments);
+    const ExitCode code = dispatch(arguments);
+    flushOutput();
+    return code;
   } catch (const UsageError& error) {
     std::cerr << "occusg: " << error.what() << " (see '" << helpFor(arguments) << "')\n";
     return kWrongUsage;

@@ -101,6 +101,10 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
   const FreeSpace layer = has_rays ? projection.recompute(map)
                                    : layerWithoutRays(map.tree(), config.free_space, unseen);
 
+  if (layer.cells.box().empty()) {
+    throw refuse(path, "holds nothing between the heights that are projected",
+                 "a map with voxels is needed");
+  }
   const OutputFolder folder(values["output"].as<std::string>());
   const MapFiles files = toMapFiles(layer, "free_space.pgm");
   const std::string name = std::filesystem::path(path).stem().string();

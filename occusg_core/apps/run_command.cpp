@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -342,6 +344,15 @@ std::vector<ResultWriter> filesOf(const Pipeline& pipeline, const std::string& s
   return files;
 }
 
+/// The results have names that files of a recording have too, such as its annotated rooms.json.
+void checkOutputPlace(const std::string& output, const std::string& recording) {
+  std::error_code failed;
+  if (std::filesystem::equivalent(output, recording, failed) && !failed) {
+    throw refuse(output, "is the folder of the recording, whose rooms.json may be its annotation",
+                 "another folder is needed for the results");
+  }
+}
+
 }  // namespace
 
 ExitCode runCommand(const std::vector<std::string>& arguments) {
@@ -364,7 +375,9 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   const auto session_folder = given<std::string>(values, "save-session");
   if (session_folder) checkSessionPlace(*session_folder);
   MaskSource source = masksFor(sequence, config.segmenter, values);
-  const OutputFolder folder(values["output"].as<std::string>());
+  const auto output = values["output"].as<std::string>();
+  checkOutputPlace(output, recording);
+  const OutputFolder folder(output);
   catchInterrupts();
   const RunOutcome outcome =
       processAll(sequence, placement.T_level_map, source, pipeline, frames,

@@ -102,13 +102,7 @@ void MappingNode::subscribe() {
   info_subscriber_ = handles_.inputs.subscribe<sensor_msgs::CameraInfo>(
       inputTopic(place, settings_.depth_info, "depth/camera_info"), kInputQueue,
       guardedCallback(this, &MappingNode::onInfo, "a camera_info"));
-  transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
-  image_subscriber_ = transport_->subscribe(
-      inputTopic(place, settings_.depth_image, "depth/image_rect"),
-      static_cast<std::uint32_t>(settings_.queue_size),
-      guardedCallback(this, &MappingNode::onImage, "a depth image"), ros::VoidPtr(),
-      image_transport::TransportHints(settings_.image_transport, ros::TransportHints(),
-                                      handles_.parameters));
+  subscribeToImages(inputTopic(place, settings_.depth_image, "depth/image_rect"));
   const bool has_odometry = settings_.pose_source == PoseSource::kOdometry;
   const std::string& given = has_odometry ? settings_.odom : settings_.pose;
   pose_input_ = std::make_unique<PoseInput>(
@@ -119,6 +113,22 @@ void MappingNode::subscribe() {
       tf_);
   health_timer_ = handles_.inputs.createWallTimer(
       ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { checkHealth(); });
+}
+
+void MappingNode::subscribeToImages(const std::string& topic) {
+  transport_ = std::make_unique<image_transport::ImageTransport>(handles_.inputs);
+  const image_transport::TransportHints hints(settings_.image_transport, ros::TransportHints(),
+                                              handles_.parameters);
+  try {
+    image_subscriber_ = transport_->subscribe(
+        topic, static_cast<std::uint32_t>(settings_.queue_size),
+        guardedCallback(this, &MappingNode::onImage, "a depth image"), ros::VoidPtr(), hints);
+  } catch (const image_transport::Exception&) {
+    std::string there;
+    for (const std::string& name : transport_->getLoadableTransports()) there += " " + name;
+    throw occusg::refuse("~image_transport", "is '" + settings_.image_transport + "'",
+                         "a transport whose plugin is installed is needed:" + there);
+  }
 }
 
 void MappingNode::drop(Drop reason, const std::string& sentence, std::size_t count) {

@@ -78,6 +78,7 @@ class MappingNode {
 
   void advertise();
   void subscribe();
+  void subscribeToImages(const std::string& topic);
 
   void onInfo(const sensor_msgs::CameraInfoConstPtr& info);
   void onImage(const sensor_msgs::ImageConstPtr& image);

@@ -7,11 +7,11 @@
 #include <ros/ros.h>
 
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <string>
 
 #include "node_handles.hpp"
-#include "occusg/error.hpp"
 
 namespace occusg_ros {
 
@@ -61,7 +61,7 @@ class NodeletOf : public nodelet::Nodelet {
                               onQueue(getPrivateNodeHandle(), services_), getName()};
     try {
       node_ = std::make_unique<Node>(handles);
-    } catch (const occusg::Error& error) {
+    } catch (const std::exception& error) {
       NODELET_FATAL_STREAM(getName() << " does not start: " << error.what());
       const bool is_alone = getName() == ros::this_node::getName();
       if (is_alone) throw;  // the process ends

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include "occusg/error.hpp"
 #include "occusg_ros/topic_names.hpp"
@@ -25,6 +26,36 @@ bool isPlain(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
 }
 
+/// A "~" replaced, and the default folder put in place of none.
+std::string expanded(const std::string& folder, const std::string& node_namespace) {
+  if (folder.empty()) {
+    const std::string robot = robotNamespace(node_namespace);
+    const std::string own = robot == "/" ? "" : robot;
+    const std::string ros_home = environment("ROS_HOME");
+    return ros_home.empty() ? expanded("~/.ros/occusg" + own, node_namespace)
+                            : ros_home + "/occusg" + own;
+  }
+  if (folder.front() != '~') return folder;
+  const std::string home = environment("HOME");
+  if (home.empty()) {
+    throw occusg::refuse("save_folder", "'" + folder + "' needs HOME, which is not set",
+                         "give an absolute path");
+  }
+  return home + folder.substr(1);
+}
+
+/// Links are followed on both sides, so that none leads out.
+bool isWithin(const std::string& folder, const std::string& root) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const fs::path inner = fs::weakly_canonical(fs::absolute(folder), failed);
+  if (failed) return false;
+  fs::path outer = fs::weakly_canonical(fs::absolute(root), failed);
+  if (failed) return false;
+  if (outer.filename().empty()) outer = outer.parent_path();  // of a "/" at its end
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 }  // namespace
 
 std::string checkedSaveName(const std::string& name) {
@@ -38,20 +69,14 @@ std::string checkedSaveName(const std::string& name) {
 }
 
 std::string expandedFolder(const std::string& folder, const std::string& node_namespace) {
-  if (folder.empty()) {
-    const std::string robot = robotNamespace(node_namespace);
-    const std::string own = robot == "/" ? "" : robot;
-    const std::string ros_home = environment("ROS_HOME");
-    return ros_home.empty() ? expandedFolder("~/.ros/occusg" + own, node_namespace)
-                            : ros_home + "/occusg" + own;
+  std::string path = expanded(folder, node_namespace);
+  const std::string root = environment(kSaveRootVariable);
+  if (!root.empty() && !isWithin(path, root)) {
+    throw occusg::refuse("~save_folder",
+                         "'" + path + "' is outside " + kSaveRootVariable + ", '" + root + "'",
+                         "a folder inside it is needed");
   }
-  if (folder.front() != '~') return folder;
-  const std::string home = environment("HOME");
-  if (home.empty()) {
-    throw occusg::refuse("save_folder", "'" + folder + "' needs HOME, which is not set",
-                         "give an absolute path");
-  }
-  return home + folder.substr(1);
+  return path;
 }
 
 void checkQuota(const std::string& save_folder, const std::string& name, const SaveQuota& quota) {

@@ -46,6 +46,15 @@ expect "unknown key" 1 "typo.yaml:3: unknown key 'perception.depth.strid'; did y
 expect "unknown decomposer" 1 "allowed is" run short -o out --decomposer magic
 [ ! -e out ] || fail "an output folder was made although the configuration was wrong"
 
+# --- What cannot be printed is no success
+if "$occusg" config --print > /dev/full 2> err.txt; then fail "full standard output: exit code 0"; fi
+grep -qF "standard output: cannot be written" err.txt || fail "full standard output: no sentence"
+
+# --- Results do not replace the annotation of the recording
+short_recording annotated 2
+cp "$recording/rooms.json" annotated
+expect "results into the recording" 1 "is the folder of the recording" run annotated -o annotated
+cmp -s "$recording/rooms.json" annotated/rooms.json || fail "results into the recording: the annotation changed"
 expect "--param" 0 "" config --print --param regions.decomposer=dude --param perception.depth.stride=2
 grep -q 'decomposer: dude' out.txt || fail "--param did not set a name"
 grep -q 'stride: 2' out.txt || fail "the second --param did not set a number"

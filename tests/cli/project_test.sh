@@ -47,6 +47,8 @@ grep -q "0.64 m2 free, 0.36 m2 obstacles" out.txt || fail "unknown is free: the 
 # --- Maps that cannot be used
 refused "no map" "does not exist" project nowhere.bt
 refused "run from no map" "does not exist" run short --map nowhere.bt
+printf '# Octomap OcTree binary file\nid OcTree\nsize 0\nres 0.05\ndata\n' > empty.bt
+refused "map without voxels" "empty.bt: holds nothing between the heights" project empty.bt
 expect "project without a map" 2 "MAP is missing" project -o out
 head -c 5000 first/map.ot > cut.ot
 refused "map cut short" "cut.ot: ends at byte 5000" project cut.ot

@@ -214,7 +214,8 @@ std::optional<Route> shortestRoute(const SceneGraph& graph, const Point2& from, 
     }
     at = next;
   }
-  route.length_m += distance(at, to);
+  // Both places are beside one node: nobody walks there first.
+  route.length_m = route.nodes.size() == 1 ? distance(from, to) : route.length_m + distance(at, to);
   return route;
 }
 

@@ -160,6 +160,19 @@ bool isPlainName(const std::string& name) {
          name.find('/') == std::string::npos && std::none_of(name.begin(), name.end(), isControl);
 }
 
+/// Where the bytes go: a link stays, and the file it leads to is replaced.
+fs::path placeOf(const fs::path& path) {
+  std::error_code failed;
+  fs::path target = fs::is_symlink(path, failed) ? fs::canonical(path, failed) : path;
+  if (failed) target = path;  // a link that leads nowhere
+  const fs::file_status status = fs::status(target, failed);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw refuse(path.string(), fs::is_directory(status) ? "is a folder" : "is a device or a pipe",
+                 "a new name or that of a regular file is needed");
+  }
+  return target;
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
@@ -185,7 +198,13 @@ FileMark OutputFolder::write(const std::string& name, const Writer& writer,
     throw refuse(path_, "\"" + shown(name) + "\" is not a file name",
                  "a name of at most 200 bytes without a path is needed");
   }
-  const std::string target = (fs::path(path_) / name).string();
+  const fs::path named = fs::path(path_) / name;
+  const fs::path place = placeOf(named);
+  if (place != named) {
+    const OutputFolder other(place.parent_path().string());
+    return other.write(place.filename().string(), writer, max_bytes);
+  }
+  const std::string target = place.string();
   const TemporaryFile file(partPath(path_, name));
   const FileMark mark = writeDurably(file, writer, target, max_bytes);
   if (std::rename(file.path().c_str(), target.c_str()) != 0) fail(target, errno);

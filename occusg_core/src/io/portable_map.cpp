@@ -38,6 +38,7 @@ class Words {
     return bytes_[at_++] - '0';
   }
   [[nodiscard]] std::size_t position() const { return at_; }
+  [[nodiscard]] bool isAtEnd() const { return at_ >= bytes_.size(); }
 
  private:
   void skipBlanks() {
@@ -145,7 +146,11 @@ cv::Mat plainValues(const std::string& bytes, const Header& header, const std::s
   auto* target = pixels.ptr<std::uint8_t>();
   for (std::size_t i = 0; i < header.values(); ++i) {
     const auto value = header.isBits() ? words.bit() : words.number();
-    if (!value) refuseShort(path, header);
+    if (!value && words.isAtEnd()) refuseShort(path, header);
+    if (!value) {
+      throw refuse(path, "has a pixel that is no number: pixel " + std::to_string(i + 1),
+                   "whole numbers of up to nine digits are needed");
+    }
     if (*value > header.largest) {
       throw refuse(path, "has a pixel of value " + std::to_string(*value),
                    "values from 0 to " + std::to_string(header.largest) + " are needed");

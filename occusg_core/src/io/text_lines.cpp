@@ -15,6 +15,12 @@ namespace {
 constexpr std::size_t kMaxListBytes = std::size_t{256} << 20U;
 constexpr const char* kSeparators = " \t\r\v\f";
 
+/// Behind the byte order mark that some editors put before UTF-8.
+std::size_t beginOfText(const std::string& bytes) {
+  constexpr const char* kMark = "\xEF\xBB\xBF";
+  return bytes.rfind(kMark, 0) == 0 ? 3 : 0;
+}
+
 bool isBlankOrComment(const std::string& line) {
   const std::size_t first = line.find_first_not_of(kSeparators);
   return first == std::string::npos || line[first] == '#';
@@ -26,7 +32,7 @@ std::vector<TextLine> readLines(const std::string& path) {
   const std::string bytes = readFile(path, kMaxListBytes);
   std::vector<TextLine> lines;
   std::size_t number = 0;
-  for (std::size_t start = 0; start < bytes.size();) {
+  for (std::size_t start = beginOfText(bytes); start < bytes.size();) {
     const std::size_t end = std::min(bytes.find('\n', start), bytes.size());
     if (++number > kMaxLines) {
       throw refuse(path, "has more than " + std::to_string(kMaxLines) + " lines",

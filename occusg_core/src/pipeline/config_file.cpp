@@ -4,9 +4,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -155,6 +157,11 @@ PipelineConfig configFromYaml(const std::string& yaml, const std::string& where,
 PipelineConfig loadConfig(const std::string& name_or_path) {
   if (name_or_path == "default") return PipelineConfig{};
   if (name_or_path == "paper") return paperConfig();
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(name_or_path, failed);
+  // A pipe without a writer would keep the program waiting for ever.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw refuse(name_or_path, "is not a regular file", "a YAML file is needed");
   std::ifstream file(name_or_path, std::ios::binary);
   if (!file) {
     throw refuse(name_or_path, "this configuration cannot be read",

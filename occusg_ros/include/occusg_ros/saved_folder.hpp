@@ -13,9 +13,14 @@ inline constexpr const char* kDefaultSaveName = "last";
 /// @throws occusg::Error unless it is 1 to 64 letters, digits, '.', '_' or '-', the first no dot.
 [[nodiscard]] std::string checkedSaveName(const std::string& name);
 
+/// Environment variable with the folder that every `save_folder` must lie in; unset: any will do.
+/// A peer can set a parameter before a node starts, but not the node's environment.
+inline constexpr const char* kSaveRootVariable = "OCCUSG_SAVE_ROOT";
+
 /// `folder` with a leading "~" replaced by the user's home; when empty, `occusg` in ROS_HOME or
 /// ~/.ros, and below it the robot's namespace (`robotNamespace`), so that two robots keep apart.
-/// @throws occusg::Error when it takes a home and there is none.
+/// @throws occusg::Error when it takes a home and there is none, and when it is outside
+/// OCCUSG_SAVE_ROOT.
 [[nodiscard]] std::string expandedFolder(const std::string& folder,
                                          const std::string& node_namespace = "/");
 

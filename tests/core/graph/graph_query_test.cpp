@@ -95,6 +95,15 @@ TEST_F(Flat, TheShortestRouteTellsRoomsDoorsAndLength) {
   EXPECT_EQ(back->doors, std::vector<NodeId>{doors_[0]});
 }
 
+TEST_F(Flat, RouteBetweenPlacesBesideOneNodeIsAsLongAsTheyAreApart) {
+  const auto nowhere = shortestRoute(graph_, {0.5, 1.0}, {0.5, 1.0});
+  ASSERT_TRUE(nowhere);
+  EXPECT_EQ(nowhere->length_m, 0.0);
+  const auto step = shortestRoute(graph_, {0.5, 1.0}, {0.8, 1.4});
+  ASSERT_TRUE(step);
+  EXPECT_NEAR(step->length_m, 0.5, 1e-9);
+}
+
 TEST_F(Flat, ThereIsNoRouteToWhereNoWayLeads) {
   EXPECT_FALSE(shortestRoute(graph_, {0.5, 2.0}, {40.0, 2.0})) << "nothing near the goal";
   graph_.disconnect(EdgeType::kTraversable, nodes_[5], nodes_[6]);

@@ -166,6 +166,7 @@ TEST_F(MapReader, PicturesOfAnotherKindAreNamed) {
 TEST_F(MapReader, IncompletePicturesAreNamed) {
   EXPECT_TRUE(tells(pictureFails("P5 3 2 255\n12345"), {"ends before its last pixel", "3 x 2"}));
   EXPECT_TRUE(tells(pictureFails("P2 3 2 255\n1 2 3 4 5"), {"ends before its last pixel"}));
+  EXPECT_TRUE(tells(pictureFails("P2 3 2 255\n1 2 x 4 5 6"), {"no number", "pixel 3"}));
   EXPECT_TRUE(tells(pictureFails("P2 1 1 255\n256"), {"has a pixel of value 256"}));
   EXPECT_TRUE(tells(pictureFails("P5 3"), {"has no readable header of a portable map"}));
   EXPECT_TRUE(

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -246,9 +247,39 @@ TEST(OutputFolder, FolderInPlaceOfTheFileIsRefusedAndKept) {
   folder.write("x.json/inside", "x");
   const OutputFolder output(folder.path());
   EXPECT_TRUE(tells(sentenceOf([&] { output.write("x.json", "y"); }),
-                    {folder.at("x.json"), "cannot be written"}));
+                    {folder.at("x.json"), "is a folder"}));
   EXPECT_EQ(filesIn(folder.path()), 1U);
   EXPECT_EQ(folder.read("x.json/inside"), "x");
+}
+
+TEST(OutputFolder, FileBehindALinkIsReplacedAndTheLinkStays) {
+  const TemporaryFolder folder;
+  folder.write("elsewhere/rooms.json", "old");
+  std::filesystem::create_directory(folder.at("out"));
+  std::filesystem::create_symlink("../elsewhere/rooms.json", folder.at("out/rooms.json"));
+  OutputFolder(folder.at("out")).write("rooms.json", "new");
+  EXPECT_EQ(folder.read("elsewhere/rooms.json"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.at("out/rooms.json")));
+}
+
+TEST(OutputFolder, LinkThatLeadsNowhereGivesWayToTheFile) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("gone", folder.at("x.json"));
+  OutputFolder(folder.path()).write("x.json", "new");
+  EXPECT_EQ(folder.read("x.json"), "new");
+}
+
+TEST(OutputFolder, PipesAndDevicesAndLinksToThemAreRefusedAndStay) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo(folder.at("pipe").c_str(), 0600), 0);
+  std::filesystem::create_symlink(folder.at("pipe"), folder.at("link"));
+  const OutputFolder output(folder.path());
+  for (const char* name : {"pipe", "link"}) {
+    EXPECT_TRUE(tells(sentenceOf([&] { output.write(name, "y"); }),
+                      {folder.at(name), "is a device or a pipe"}));
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(folder.at("pipe")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.at("link")));
 }
 
 TEST(OutputFolder, FolderThatVanishedIsTold) {

@@ -202,7 +202,36 @@ TEST(Trajectories, EurocHasCommasNanosecondsAndWFirst) {
   const SequenceReader reader(sequence.path(), withPoses(sequence.folder.at("data.csv")));
   expectCameraAt(reader.read(0), 4);
   EXPECT_NEAR(reader.read(0).stamp_s, 1403636579.763555584, 1e-6);
-  EXPECT_TRUE(tells(reader.assumptions().at(0), {"data.csv", "because of their size"}));
+  for (const std::string& assumption : reader.assumptions())
+    EXPECT_FALSE(tells(assumption, {"data.csv"})) << "the unit is stated";
+}
+
+TEST(Trajectories, UnitOfTheStampsIsThatOfTheHeaderHoweverSmallTheyAre) {
+  const RecordedSequence sequence(2);  // images at 0 and 0.2 s
+  sequence.folder.write("data.csv",
+                        "#timestamp [ns],x [m],y [m],z [m],q_w [],q_x [],q_y [],q_z []\n"
+                        "0,4,2,3,-0.5,0.5,-0.5,0.5\n200000000,5,2,3,-0.5,0.5,-0.5,0.5\n");
+  const SequenceReader reader(sequence.path(), withPoses(sequence.folder.at("data.csv")));
+  expectCameraAt(reader.read(1), 5);
+}
+
+TEST(Trajectories, UnitOfTheStampsIsGuessedFromTheirSizeWhereNoHeaderStatesIt) {
+  const RecordedSequence sequence(1);
+  sequence.folder.write("depth.txt", "1403636579763555584 depth/0.png\n");
+  sequence.folder.write("poses.txt", "1403636579763555584 4 2 3 0.5 -0.5 0.5 -0.5\n");
+  const SequenceReader reader(sequence.path(), withPoses(sequence.folder.at("poses.txt")));
+  EXPECT_TRUE(tells(reader.assumptions().at(0), {"poses.txt", "because of their size"}));
+}
+
+TEST(SequenceReader, ByteOrderMarksBeforeTheListsAreNoPartOfThem) {
+  const RecordedSequence sequence(1);
+  sequence.folder.write("depth.txt", "\xEF\xBB\xBF# stamp file\n0.0 depth/0.png\n");
+  sequence.folder.write("groundtruth.txt",
+                        "\xEF\xBB\xBF"
+                        "0.0 4 2 3 0.5 -0.5 0.5 -0.5\n");
+  const SequenceReader reader(sequence.path());
+  EXPECT_EQ(reader.size(), 1U);
+  EXPECT_TRUE(reader.unusableLines().empty());
 }
 
 TEST(Trajectories, WFirstWhenItIsSaid) {

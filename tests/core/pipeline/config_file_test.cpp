@@ -2,12 +2,15 @@
 #include "occusg/pipeline/config_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <set>
 #include <sstream>
 
+#include "error_sentence.hpp"
 #include "occusg/error.hpp"
+#include "temporary_folder.hpp"
 
 namespace occusg {
 namespace {
@@ -47,6 +50,13 @@ TEST(ConfigFile, UnknownKeyNamesLineAndNearestKnownOne) {
   EXPECT_EQ(refusalOf("perception:\n  depth:\n    strid: 4\n"),
             "mine.yaml:3: unknown key 'perception.depth.strid'; did you mean "
             "'perception.depth.stride'?");
+}
+
+TEST(ConfigFile, PipeIsRefusedAtOnce) {
+  const testing::TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo(folder.at("pipe.yaml").c_str(), 0600), 0);
+  EXPECT_TRUE(testing::tells(testing::sentenceOf([&] { (void)loadConfig(folder.at("pipe.yaml")); }),
+                             {"pipe.yaml", "is not a regular file"}));
 }
 
 TEST(ConfigFile, ValueOutOfRangeNamesKeyValueAndRange) {

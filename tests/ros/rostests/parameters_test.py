@@ -97,6 +97,13 @@ class ParametersTest(unittest.TestCase):
             for name in parameters:
                 self.assertIn("~" + name, said)
 
+    def test_transport_without_a_plugin_ends_the_node_with_those_that_are_there(self):
+        process = self.start("mapping", "no_transport", {"image_transport": "pigeon"})
+        said = process.communicate(timeout=30)[0]
+        self.assertNotEqual(process.returncode, 0, said)
+        self.assertIn("~image_transport: is 'pigeon'", said)
+        self.assertIn("image_transport/raw", said)
+
 
 if __name__ == "__main__":
     rostest.rosrun("occusg", "parameters_test", ParametersTest, sys.argv)

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
+#include <string>
 
 #include "occusg/error.hpp"
 #include "occusg_ros/input_health.hpp"
@@ -12,6 +14,7 @@
 #include "occusg_ros/pose_conversions.hpp"
 #include "occusg_ros/saved_folder.hpp"
 #include "occusg_ros/tf_poses.hpp"
+#include "temporary_folder.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -52,6 +55,23 @@ TEST(SavedFolder, FailureMode18NameIsNeverAPath) {
   for (const char* name : {"..", "../x", "/etc", "a/b", ".hidden", "a b", "a\nb", "~", "a\\b"})
     EXPECT_THROW((void)checkedSaveName(name), occusg::Error) << name;
   EXPECT_THROW((void)checkedSaveName(std::string(65, 'a')), occusg::Error);
+}
+
+TEST(SavedFolder, FailureMode18FolderLiesWithinTheRootOfTheEnvironment) {
+  const occusg::testing::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.at("root/maps"));
+  std::filesystem::create_directory_symlink(folder.path(), folder.at("root/out"));
+  for (const std::string& root : {folder.at("root"), folder.at("root/")}) {
+    setenv(kSaveRootVariable, root.c_str(), 1);
+    EXPECT_EQ(expandedFolder(folder.at("root/maps")), folder.at("root/maps"));
+    EXPECT_EQ(expandedFolder(folder.at("root/new/one")), folder.at("root/new/one"));
+    EXPECT_EQ(expandedFolder(folder.at("root")), folder.at("root"));
+    for (const char* outside : {"rootless", "root/../maps", "root/out", "root/out/maps"})
+      EXPECT_THROW((void)expandedFolder(folder.at(outside)), occusg::Error) << outside;
+    EXPECT_THROW((void)expandedFolder("/etc"), occusg::Error);
+  }
+  unsetenv(kSaveRootVariable);
+  EXPECT_EQ(expandedFolder("/etc"), "/etc");
 }
 
 TEST(SavedFolder, FailureMode16TildeIsTheHome) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
@@ -31,7 +33,8 @@ constexpr std::array<const char*, kPoseFieldCount> kFieldsWxyz = {"timestamp", "
 struct Format {
   bool w_first = false;
   bool has_id = false;
-  bool has_further_columns = false;  ///< Only the first eight count.
+  bool has_further_columns = false;    ///< Only the first eight count.
+  std::optional<double> stamp_unit_s;  ///< Where the header states it.
 };
 
 std::string withSpaces(std::string text) {
@@ -63,6 +66,16 @@ std::vector<std::string> columnsOf(const std::string& path) {
   return {};
 }
 
+/// The unit that the name of the first column has in square brackets, as in "#timestamp [ns],".
+std::optional<double> statedUnit_s(const std::string& path) {
+  const std::string beginning = readBeginning(path, kMaxHeaderBytes);
+  const std::string head = beginning.substr(0, beginning.find_first_of(",\n"));
+  for (const auto& [unit, seconds] : {std::pair{"[ns]", 1e-9}, std::pair{"[us]", 1e-6},
+                                      std::pair{"[ms]", 1e-3}, std::pair{"[s]", 1.0}})
+    if (head.find(unit) != std::string::npos) return seconds;
+  return std::nullopt;
+}
+
 std::size_t placeOfQuaternionPart(const std::vector<std::string>& columns, char part) {
   const auto found = std::find_if(columns.begin(), columns.end(), [part](const auto& name) {
     return name.front() == 'q' && name.back() == part;
@@ -78,6 +91,7 @@ Format formatOf(const std::string& path, const SequenceReaderConfig& config) {
   format.w_first = config.w_first || (w < columns.size() && x < columns.size() && w < x);
   format.has_id = columns.size() == kPoseFieldCount + 1 && columns.back() == "id";
   format.has_further_columns = columns.size() > kPoseFieldCount + 1;
+  format.stamp_unit_s = statedUnit_s(path);
   return format;
 }
 
@@ -218,13 +232,14 @@ bool namesColumns(const TextLine& line) {
                       [](const std::string& word) { return numberIn(word).has_value(); });
 }
 
-void toSeconds(Trajectory& trajectory, const std::string& path) {
+void toSeconds(Trajectory& trajectory, const std::string& path, const Format& format) {
   double largest = 0.0;
   for (const RecordedPose& pose : trajectory.poses) largest = std::max(largest, pose.stamp_s);
-  const double unit_s = secondsPerUnit(largest);
+  const double unit_s = format.stamp_unit_s.value_or(secondsPerUnit(largest));
   if (unit_s == 1.0) return;
   for (RecordedPose& pose : trajectory.poses) pose.stamp_s *= unit_s;
   for (RecordedPose& pose : trajectory.unusable) pose.stamp_s *= unit_s;
+  if (format.stamp_unit_s) return;
   trajectory.assumptions.push_back(path + ": stamps are taken as multiples of " + toText(unit_s) +
                                    " s, because of their size");
 }
@@ -259,7 +274,7 @@ Trajectory readTrajectory(const std::string& path, const SequenceReaderConfig& c
     throw refuse(path, "holds no pose", std::string("\"") + kForm + "\" lines are needed");
   if (trajectory.poses.empty())
     throw Error(trajectory.unusable_lines.front() + " (no other line is usable either)");
-  toSeconds(trajectory, path);
+  toSeconds(trajectory, path, format);
   return trajectory;
 }
 
