@@ -60,7 +60,7 @@ def measure(map_file, recording, delay_s):
                 stdout=log, stderr=subprocess.STDOUT)
             try:
                 wait_for("the map", lambda: "success: True" in (call("/occusg/mapping/load", "name: large") or ""), launch)
-                rooms = wait_for("a hundred rooms", lambda: enough_rooms(), launch)
+                rooms = wait_for("a hundred rooms", enough_rooms, launch)
                 time.sleep(delay_s)
                 start = time.monotonic()
                 launch.send_signal(signal.SIGINT)

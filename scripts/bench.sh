@@ -27,17 +27,14 @@ if [ "$what" = shutdown ]; then ros=(); fi
 }
 
 case $what in graph | regions) exec "$root/build/release/benchmarks/${what}_benchmark" ;; esac
-if [ "$what" = saving ]; then
+if [[ "$what" =~ ^(saving|shutdown)$ ]]; then
   work=$(mktemp -d)
   trap 'rm -rf --one-file-system "$work"' EXIT
-  "$root/build/release/benchmarks/saving_benchmark" "$work"
-  exit
-fi
-if [ "$what" = shutdown ]; then
-  work=$(mktemp -d)
-  trap 'rm -rf --one-file-system "$work"' EXIT
-  "$root/build/release/benchmarks/saving_benchmark" "$work" >&2
-  "$root/devel/env.sh" "$root/benchmarks/shutdown_time.py" "$work/map.ot" "$root/examples/apartment"
+  saved=$("$root/build/release/benchmarks/saving_benchmark" "$work")
+  echo "$saved"
+  if [ "$what" = shutdown ]; then
+    "$root/devel/env.sh" "$root/benchmarks/shutdown_time.py" "$work/map.ot" "$root/examples/apartment"
+  fi
   exit
 fi
 

@@ -156,7 +156,6 @@ class MappingNode {
   double last_voxels_s_ = 0.0;  ///< Steady clock [s].
   double last_status_s_ = 0.0;  ///< Steady clock [s].
   std::size_t frames_saved_ = 0;
-  bool is_saved_at_end_ = false;
   SavedGenerations generations_;
   Saver saver_;
 

@@ -74,17 +74,9 @@ void MappingNode::saveFromTimeToTime() {
   saver_.writeInBackground(now_s, writingTo(kDefaultSaveName, Saver::When::kInBackground));
 }
 
-// As soon as ROS shuts down, on the worker: nodelets are unloaded one after the other, and each
-// would wait for the save of the one before.
 void MappingNode::saveAtEnd() {
-  if (is_saved_at_end_ || !settings_.saving.save_on_exit || map_->counts().frames == 0) return;
-  is_saved_at_end_ = true;
-  saver_.hurry();
-  try {
-    ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
-  } catch (const std::exception& error) {
-    ROS_ERROR_STREAM(handles_.name << ": not saved: " << error.what());
-  }
+  if (!settings_.saving.save_on_exit || map_->counts().frames == 0) return;
+  saver_.saveAtEnd(handles_.name, [this] { return save(kDefaultSaveName); });
 }
 
 void MappingNode::noteSave(const std::string& folder, const std::string& problem) {

@@ -2,6 +2,7 @@
 #include "occusg_ros/saver.hpp"
 
 #include <malloc.h>
+#include <ros/console.h>
 
 #include <exception>
 #include <utility>
@@ -68,6 +69,16 @@ void Saver::writeAndReport(const Writing& writing) {
 void Saver::write(const Writing& writing) {
   const std::lock_guard<std::mutex> lock(writing_mutex_);
   writing();
+}
+
+void Saver::saveAtEnd(const std::string& node, const std::function<std::string()>& save) {
+  if (std::exchange(is_saved_at_end_, true)) return;
+  hurry();
+  try {
+    ROS_INFO_STREAM(node << ": saved to " << save());
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM(node << ": not saved: " << error.what());
+  }
 }
 
 }  // namespace occusg_ros

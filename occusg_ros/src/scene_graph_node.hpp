@@ -182,7 +182,6 @@ class SceneGraphNode {
   double last_status_s_ = 0.0;  ///< Steady clock [s].
   bool has_doubted_size_ = false;
   std::uint64_t sequence_saved_ = 0;
-  bool is_saved_at_end_ = false;
   SavedGenerations generations_;
   Saver saver_;
 

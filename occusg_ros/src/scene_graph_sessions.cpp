@@ -91,16 +91,9 @@ void SceneGraphNode::saveFromTimeToTime() {
   saver_.writeInBackground(now_s, writingTo(kDefaultSaveName, Saver::When::kInBackground));
 }
 
-// As MappingNode::saveAtEnd.
 void SceneGraphNode::saveAtEnd() {
-  if (is_saved_at_end_ || !settings_.saving.save_on_exit || !rooms_->lastUpdate()) return;
-  is_saved_at_end_ = true;
-  saver_.hurry();
-  try {
-    ROS_INFO_STREAM(handles_.name << ": saved to " << save(kDefaultSaveName));
-  } catch (const std::exception& error) {
-    ROS_ERROR_STREAM(handles_.name << ": not saved: " << error.what());
-  }
+  if (!settings_.saving.save_on_exit || !rooms_->lastUpdate()) return;
+  saver_.saveAtEnd(handles_.name, [this] { return save(kDefaultSaveName); });
 }
 
 void SceneGraphNode::noteSave(const std::string& folder, const std::string& problem) {

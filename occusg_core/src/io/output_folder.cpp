@@ -161,7 +161,7 @@ bool isPlainName(const std::string& name) {
 }
 
 /// Where the bytes go: a link stays, and the file it leads to is replaced.
-fs::path placeOf(const fs::path& path) {
+fs::path targetOf(const fs::path& path) {
   std::error_code failed;
   fs::path target = fs::is_symlink(path, failed) ? fs::canonical(path, failed) : path;
   if (failed) target = path;  // a link that leads nowhere
@@ -199,7 +199,7 @@ FileMark OutputFolder::write(const std::string& name, const Writer& writer,
                  "a name of at most 200 bytes without a path is needed");
   }
   const fs::path named = fs::path(path_) / name;
-  const fs::path place = placeOf(named);
+  const fs::path place = targetOf(named);
   if (place != named) {
     const OutputFolder other(place.parent_path().string());
     return other.write(place.filename().string(), writer, max_bytes);

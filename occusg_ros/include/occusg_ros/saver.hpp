@@ -45,6 +45,11 @@ class Saver {
   }
   /// Writes at once, after what is being written.
   void write(const Writing& writing);
+  /// The last save of a node: hurries, calls `save` and logs the folder it gives, or what it
+  /// throws. Only the first call does anything. Nodes call it on their worker as soon as ROS shuts
+  /// down, and when they are unloaded: nodelets are unloaded one after the other, and each would
+  /// wait for the save of the one before.
+  void saveAtEnd(const std::string& node, const std::function<std::string()>& save);
 
  private:
   void loop();
@@ -60,6 +65,7 @@ class Saver {
   std::condition_variable changed_;
   Writing next_;
   bool stopping_ = false;
+  bool is_saved_at_end_ = false;
   std::thread thread_;  // last: it uses the others
 };
 

@@ -44,8 +44,7 @@ std::string withSpaces(std::string text) {
 }
 
 /// The names of the columns in the first line that names them: lower case, without units.
-std::vector<std::string> columnsOf(const std::string& path) {
-  std::string beginning = readBeginning(path, kMaxHeaderBytes);
+std::vector<std::string> columnsOf(const std::string& beginning) {
   for (std::size_t start = 0; start < beginning.size();) {
     const std::size_t end = std::min(beginning.find('\n', start), beginning.size());
     std::string line = beginning.substr(start, end - start);
@@ -67,8 +66,7 @@ std::vector<std::string> columnsOf(const std::string& path) {
 }
 
 /// The unit that the name of the first column has in square brackets, as in "#timestamp [ns],".
-std::optional<double> statedUnit_s(const std::string& path) {
-  const std::string beginning = readBeginning(path, kMaxHeaderBytes);
+std::optional<double> statedUnit_s(const std::string& beginning) {
   const std::string head = beginning.substr(0, beginning.find_first_of(",\n"));
   for (const auto& [unit, seconds] : {std::pair{"[ns]", 1e-9}, std::pair{"[us]", 1e-6},
                                       std::pair{"[ms]", 1e-3}, std::pair{"[s]", 1.0}})
@@ -85,13 +83,14 @@ std::size_t placeOfQuaternionPart(const std::vector<std::string>& columns, char 
 
 Format formatOf(const std::string& path, const SequenceReaderConfig& config) {
   Format format;
-  const std::vector<std::string> columns = columnsOf(path);
+  const std::string beginning = readBeginning(path, kMaxHeaderBytes);
+  const std::vector<std::string> columns = columnsOf(beginning);
   const std::size_t w = placeOfQuaternionPart(columns, 'w');
   const std::size_t x = placeOfQuaternionPart(columns, 'x');
   format.w_first = config.w_first || (w < columns.size() && x < columns.size() && w < x);
   format.has_id = columns.size() == kPoseFieldCount + 1 && columns.back() == "id";
   format.has_further_columns = columns.size() > kPoseFieldCount + 1;
-  format.stamp_unit_s = statedUnit_s(path);
+  format.stamp_unit_s = statedUnit_s(beginning);
   return format;
 }
 
