@@ -112,6 +112,16 @@ std::string commentOf(const Parameter& parameter) {
   return comment;
 }
 
+/// Whether reading `path` comes to an end: a file does, and so does what a shell writes as
+/// <(command). A named pipe may never get a writer, which would keep the program waiting for ever.
+bool isReadToItsEnd(const std::string& path) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(path, failed);
+  if (std::filesystem::is_regular_file(status)) return true;
+  // Only a pipe without a name has no canonical path.
+  return std::filesystem::is_fifo(status) && std::filesystem::canonical(path, failed).empty();
+}
+
 }  // namespace
 
 std::string toYaml(const PipelineConfig& config, ConfigComments comments) {
@@ -158,10 +168,10 @@ PipelineConfig loadConfig(const std::string& name_or_path) {
   if (name_or_path == "default") return PipelineConfig{};
   if (name_or_path == "paper") return paperConfig();
   std::error_code failed;
-  const std::filesystem::file_status status = std::filesystem::status(name_or_path, failed);
-  // A pipe without a writer would keep the program waiting for ever.
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw refuse(name_or_path, "is not a regular file", "a YAML file is needed");
+  if (std::filesystem::exists(name_or_path, failed) && !isReadToItsEnd(name_or_path)) {
+    throw refuse(name_or_path, "is neither a file nor the output of a command",
+                 "a YAML file is needed");
+  }
   std::ifstream file(name_or_path, std::ios::binary);
   if (!file) {
     throw refuse(name_or_path, "this configuration cannot be read",

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string>
 
 #include "error_sentence.hpp"
 #include "occusg/error.hpp"
@@ -52,11 +55,21 @@ TEST(ConfigFile, UnknownKeyNamesLineAndNearestKnownOne) {
             "'perception.depth.stride'?");
 }
 
-TEST(ConfigFile, PipeIsRefusedAtOnce) {
+TEST(ConfigFile, NamedPipeIsRefusedAtOnce) {
   const testing::TemporaryFolder folder;
   ASSERT_EQ(::mkfifo(folder.at("pipe.yaml").c_str(), 0600), 0);
   EXPECT_TRUE(testing::tells(testing::sentenceOf([&] { (void)loadConfig(folder.at("pipe.yaml")); }),
-                             {"pipe.yaml", "is not a regular file"}));
+                             {"pipe.yaml", "is neither a file nor"}));
+}
+
+TEST(ConfigFile, OutputOfACommandIsRead) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const std::string yaml = "perception.depth.stride: 3\n";
+  ASSERT_EQ(::write(ends[1], yaml.data(), yaml.size()), static_cast<ssize_t>(yaml.size()));
+  ASSERT_EQ(::close(ends[1]), 0);
+  EXPECT_EQ(loadConfig("/dev/fd/" + std::to_string(ends[0])).depth.stride, 3);
+  EXPECT_EQ(::close(ends[0]), 0);
 }
 
 TEST(ConfigFile, ValueOutOfRangeNamesKeyValueAndRange) {
