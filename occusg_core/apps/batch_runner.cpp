@@ -136,7 +136,9 @@ std::string problemOf(int end, const std::string& log_path) {
 
 std::string shownDuration(double seconds) {
   char text[48];
-  if (seconds < 90.0) {
+  if (seconds < 10.0) {
+    std::snprintf(text, sizeof text, "%.2g s", seconds);
+  } else if (seconds < 90.0) {
     std::snprintf(text, sizeof text, "%.0f s", seconds);
   } else if (seconds < 5400.0) {
     std::snprintf(text, sizeof text, "%.0f min", seconds / 60.0);

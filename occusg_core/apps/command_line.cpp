@@ -2,6 +2,8 @@
 #include "command_line.hpp"
 
 #include <iostream>
+#include <limits>
+#include <typeinfo>
 
 #include "occusg/parameter.hpp"
 #include "occusg/pipeline/config_file.hpp"
@@ -9,8 +11,6 @@
 namespace occusg::apps {
 namespace po = boost::program_options;
 namespace {
-
-constexpr std::size_t kLettersPerTypo = 3;
 
 /// "--name", as the user writes it.
 std::string dashed(const std::string& name) {
@@ -22,17 +22,37 @@ std::string sentenceOn(const po::unknown_option& error, const po::options_descri
   names.reserve(options.options().size());
   for (const auto& option : options.options()) names.push_back(dashed(option->long_name()));
   const std::string unknown = error.get_option_name();
-  const std::string nearest = nearestName(dashed(unknown), names);
-  std::string sentence = "unknown option '" + unknown + "'";
-  if (kLettersPerTypo * editDistance(dashed(unknown), nearest) <= unknown.size())
-    sentence += "; did you mean '" + nearest + "'?";
-  return sentence;
+  const std::string suggestion = suggestionFor(dashed(unknown), names);
+  return "unknown option '" + unknown + "'" +
+         (suggestion.empty() ? std::string() : "; " + suggestion);
 }
 
 /// What the option is for, from its help.
 std::string purposeOf(const std::string& name, const po::options_description& options) {
   const po::option_description* option = options.find_nothrow(name, false);
   return option == nullptr ? std::string() : option->description();
+}
+
+/// The value in "the argument ('VALUE') for option ...", which the library tells in no other way.
+std::string refusedValue(const std::string& sentence) {
+  const std::string beginning = "('";
+  const std::size_t start = sentence.find(beginning);
+  const std::size_t end = sentence.rfind("')");
+  if (start == std::string::npos || end == std::string::npos || end < start + beginning.size())
+    return "";
+  return sentence.substr(start + beginning.size(), end - start - beginning.size());
+}
+
+/// What the option takes, as far as its type tells.
+std::string valueNeededBy(const std::string& name, const po::options_description& options) {
+  const po::option_description* option = options.find_nothrow(name, false);
+  if (option == nullptr) return "another value is needed";
+  const auto* semantic = dynamic_cast<const po::typed_value_base*>(option->semantic().get());
+  if (semantic != nullptr && semantic->value_type() == typeid(int)) {
+    return "a whole number from " + std::to_string(std::numeric_limits<int>::min()) + " to " +
+           std::to_string(std::numeric_limits<int>::max()) + " is needed";
+  }
+  return "a number, as in 0.05, is needed";
 }
 
 /// An option's name without its dashes.
@@ -66,11 +86,16 @@ void explained(const Step& step, const CommandHelp& help, const po::options_desc
   } catch (const po::required_option& error) {
     const std::string name = bare(error.get_option_name());
     throw UsageError("--" + name + " is missing (" + purposeOf(name, options) + "); " + form);
+  } catch (const po::invalid_option_value& error) {
+    const std::string name = bare(error.get_option_name());
+    throw UsageError("--" + name + " is '" + refusedValue(error.what()) + "'; " +
+                     valueNeededBy(name, options) + " (" + purposeOf(name, options) + ")");
   } catch (const po::multiple_occurrences& error) {
     throw UsageError(error.get_option_name() + " is given more than once; give it once");
   } catch (const po::invalid_command_line_syntax& error) {
     const std::string name = bare(error.get_option_name());
-    if (error.kind() == po::invalid_syntax::missing_parameter)
+    if (error.kind() == po::invalid_syntax::missing_parameter ||
+        error.kind() == po::invalid_syntax::empty_adjacent_parameter)
       throw UsageError("--" + name + " needs a value: " + purposeOf(name, options));
     throw UsageError(error.what());
   } catch (const po::error& error) {

@@ -191,7 +191,7 @@ GraphQuestion questionIn(const std::string& text) {
   Words words(text);
   const std::optional<GraphQuestion> question = understood(words);
   if (!question || !words.atEnd()) {
-    throw UsageError("--query is '" + cell(text) +
+    throw UsageError("--query is '" + (text.empty() ? text : cell(text)) +
                      "'; allowed are 'room at X Y', 'way X Y to X Y', 'contents of ROOM', "
                      "'nearest CLASS at X Y' and 'adjacent to ROOM', X and Y in metres");
   }

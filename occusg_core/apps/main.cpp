@@ -58,8 +58,9 @@ Command commandNamed(const std::string& name) {
   std::vector<std::string> names;
   names.reserve(known.size());
   for (const auto& entry : known) names.push_back(entry.first);
-  throw UsageError("unknown command '" + name + "'; did you mean '" + nearestName(name, names) +
-                   "'?");
+  const std::string suggestion = suggestionFor(name, names);
+  throw UsageError("unknown command '" + name + "'" +
+                   (suggestion.empty() ? std::string() : "; " + suggestion));
 }
 
 ExitCode dispatch(std::vector<std::string> arguments) {

@@ -139,7 +139,7 @@ Placement placementOf(const SequenceReader& sequence, const std::string& folder,
   if (!down.empty()) {
     placement.doubts.push_back(down);
   } else if (hasFarFloor(orientation)) {
-    placement.doubts.push_back(sentenceOnFloor(*orientation.floor_height_m));
+    placement.doubts.push_back(sentenceOnFloor(*floorAtMiddle_m(orientation)));
   }
   return placement;
 }

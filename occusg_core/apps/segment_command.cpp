@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <locale>
 #include <memory>
@@ -62,7 +64,7 @@ po::options_description segmentOptions() {
       "negate", "dark pixels are free")("mode", po::value<std::string>(),
                                         "trinary, scale or raw (without YAML: trinary)")(
       "strict", "what the map leaves open is an error, not an assumption")(
-      "max-cells", po::value<std::size_t>()->default_value(kDefaultMaxMapCells),
+      "max-cells", po::value<std::int64_t>()->default_value(kDefaultMaxMapCells),
       "larger maps are refused")("debug-drawing", po::value<std::string>(),
                                  "PNG that shows how dude, then the decomposer, found its cuts");
   return options;
@@ -86,12 +88,28 @@ Point2 pointIn(const std::string& text) {
   return point;
 }
 
+std::size_t maxCellsFrom(std::int64_t count) {
+  if (count < 1 || count > static_cast<std::int64_t>(kMaxMapCells)) {
+    throw UsageError("--max-cells is " + std::to_string(count) + "; a number from 1 to " +
+                     std::to_string(kMaxMapCells) + " is needed");
+  }
+  return static_cast<std::size_t>(count);
+}
+
+/// Where the drawing goes, if one is wanted.
+std::optional<std::string> drawingPath(const po::variables_map& values) {
+  auto path = given<std::string>(values, "debug-drawing");
+  if (path && std::filesystem::path(*path).extension() != ".png")
+    throw UsageError("--debug-drawing is '" + *path + "'; a name that ends in .png is needed");
+  return path;
+}
+
 MapReaderOptions readerOptionsFrom(const po::variables_map& values) {
   MapReaderOptions options;
   options.resolution_m = given<double>(values, "resolution");
   options.occupied_threshold = given<double>(values, "occupied-thresh");
   options.free_threshold = given<double>(values, "free-thresh");
-  options.max_cells = values["max-cells"].as<std::size_t>();
+  options.max_cells = maxCellsFrom(values["max-cells"].as<std::int64_t>());
   if (values.count("negate") > 0) options.polarity = MapPolarity::kDarkIsFree;
   if (const auto mode = given<std::string>(values, "mode")) options.mode = modeNamed(*mode);
   if (const auto origin = given<std::string>(values, "origin")) options.origin = pointIn(*origin);
@@ -174,6 +192,7 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
   const po::variables_map values = parse(arguments, segmentHelp(), segmentOptions());
   if (helpWasPrinted(values)) return kFine;
 
+  const auto drawing_path = drawingPath(values);
   const PipelineConfig config = configFrom(values);
   const std::unique_ptr<Decomposer> decomposer = makeDecomposer(config);
   StageTimes times;
@@ -181,7 +200,7 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
   tellAssumptions(map, values["MAP"].as<std::string>(), values.count("strict") > 0);
   const OutputFolder folder(values["output"].as<std::string>());
   std::optional<OutputFile> drawing;
-  if (const auto path = given<std::string>(values, "debug-drawing")) drawing.emplace(*path);
+  if (drawing_path) drawing.emplace(*drawing_path);
 
   const Decomposition* found = nullptr;
   const RoomsFile rooms = timed(times, Stage::kTotal, [&] {

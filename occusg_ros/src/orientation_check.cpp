@@ -42,7 +42,7 @@ std::string OrientationCheck::doubt() const {
         "the lowest floor that was seen is at z = %.1f m in the map frame: are the unit of the "
         "depth "
         "images (depth_units_per_m, --depth-scale) and the camera's mount right?",
-        *map.floor_height_m);
+        *floorAtMiddle_m(map));
   }
   return "";
 }

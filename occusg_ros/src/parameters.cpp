@@ -88,8 +88,10 @@ ParameterReport assign(const GivenParameters& given, const std::vector<Parameter
                               parameter.allowed +
                               (parameter.unit.empty() ? "" : " " + parameter.unit));
     } else if (!belongsTo(key, known_elsewhere)) {
-      report.warnings.push_back(withSlashes(key) + " is not a parameter; did you mean " +
-                                withSlashes(occusg::nearestName(key, keys)) + "?");
+      const std::string nearest = occusg::nearestName(key, keys);
+      report.warnings.push_back(withSlashes(key) + " is not a parameter; " +
+                                (nearest.empty() ? "docs/ros.md lists the parameters"
+                                                 : "did you mean " + withSlashes(nearest) + "?"));
     }
   }
   return report;

@@ -59,6 +59,8 @@ expect "--param" 0 "" config --print --param regions.decomposer=dude --param per
 grep -q 'decomposer: dude' out.txt || fail "--param did not set a name"
 grep -q 'stride: 2' out.txt || fail "the second --param did not set a number"
 expect "--param without a value" 2 "KEY=VALUE is needed" run short -o out --param regions.decomposer
+expect "--param of a key like no other" 1 "unknown key 'foo'; 'occusg config --print' lists the keys" \
+  run short -o out --param foo=2
 expect "--param of an unknown key" 1 "did you mean 'perception.depth.stride'" \
   run short -o out --param perception.depth.strid=2
 expect "--frames that is no range" 2 "A:B is needed" run short -o out --frames 7

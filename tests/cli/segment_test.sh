@@ -84,6 +84,7 @@ expect "deep threshold" 0 "" segment map.yaml -o deep --d-thr 30
 refused "threshold of another decomposer" "dude" map.yaml --decomposer constriction --d-thr 2
 refused "drawing of another decomposer" "dude" map.yaml --decomposer constriction --debug-drawing a.png
 [ ! -e a.png ] || fail "a drawing was written"
+expect "drawing of another kind" 2 "ends in .png" segment map.yaml --decomposer dude --debug-drawing a.jpg -o out
 refused "unknown decomposer" "allowed is" map.yaml --decomposer magic
 refused "negative threshold" "--d-thr" map.yaml --decomposer dude --d-thr -1
 refused "thresholds the wrong way round" "free_thresh < occupied_thresh" map.yaml --free-thresh 0.7
@@ -92,6 +93,8 @@ refused "no scale" "--resolution" map.pgm
 refused "zero resolution" "resolution of 0" map.pgm --resolution 0
 refused "negative resolution" "resolution of -0.05" map.pgm --resolution=-0.05
 refused "resolution that is no number" "resolution of nan" map.pgm --resolution nan
+expect "resolution with a comma" 2 "--resolution is '0,05'; a number, as in 0.05, is needed" segment map.pgm --resolution 0,05 -o out
+expect "a negative number of cells" 2 "--max-cells is -1; a number from 1 to" segment map.yaml --max-cells -1 -o out
 refused "more cells than allowed" "--max-cells" map.yaml --max-cells 1000
 expect "labels without a scale" 1 "--resolution" eval bare/labels.png bare/rooms.json
 

@@ -98,8 +98,13 @@ template <typename Enum>
 /// How many bytes have to be added, removed or replaced to make `b` of `a` (Levenshtein 1966).
 [[nodiscard]] std::size_t editDistance(const std::string& a, const std::string& b);
 
-/// The name in `names` with the fewest edits from `name`; empty when there are none.
+/// The name in `names` that a user who typed `name` may have meant: fewest edits, at most one in
+/// three letters, where what stands before a dot may be missing; empty when there is none.
 [[nodiscard]] std::string nearestName(const std::string& name,
                                       const std::vector<std::string>& names);
+
+/// "did you mean 'NAME'?" with the nearest name; empty when there is none.
+[[nodiscard]] std::string suggestionFor(const std::string& name,
+                                        const std::vector<std::string>& names);
 
 }  // namespace occusg

@@ -14,6 +14,8 @@
 namespace occusg {
 namespace {
 
+constexpr std::size_t kLettersPerTypo = 3;
+
 // Streams with the classic locale: a German desktop must not turn 0.05 into 0.
 template <typename T>
 std::optional<T> parsed(std::string_view text) {
@@ -66,6 +68,14 @@ Parameter rangedParameter(T& value, Range<T> range, ParameterText text) {
   return parameter;
 }
 
+/// From `name` to `known`, or to what follows a dot in it if that is nearer.
+std::size_t editsToEndOf(const std::string& known, const std::string& name) {
+  std::size_t fewest = editDistance(name, known);
+  for (std::size_t dot = known.find('.'); dot != std::string::npos; dot = known.find('.', dot + 1))
+    fewest = std::min(fewest, editDistance(name, known.substr(dot + 1)));
+  return fewest;
+}
+
 }  // namespace
 
 void check(const std::vector<Parameter>& parameters) {
@@ -116,10 +126,20 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }
 
 std::string nearestName(const std::string& name, const std::vector<std::string>& names) {
-  const auto nearest = std::min_element(
-      names.begin(), names.end(),
-      [&](const auto& a, const auto& b) { return editDistance(name, a) < editDistance(name, b); });
-  return nearest == names.end() ? std::string() : *nearest;
+  std::string nearest;
+  std::size_t fewest = std::max<std::size_t>(1, name.size() / kLettersPerTypo) + 1;
+  for (const std::string& known : names) {
+    const std::size_t edits = editsToEndOf(known, name);
+    if (edits >= fewest) continue;
+    fewest = edits;
+    nearest = known;
+  }
+  return nearest;
+}
+
+std::string suggestionFor(const std::string& name, const std::vector<std::string>& names) {
+  const std::string nearest = nearestName(name, names);
+  return nearest.empty() ? std::string() : "did you mean '" + nearest + "'?";
 }
 
 }  // namespace occusg

@@ -49,7 +49,7 @@ std::uint8_t eightBits(const cv::Mat& pixels, int row, int i) {
 MapPicture separated(const cv::Mat& pixels) {
   const int channels = pixels.channels();
   const int colours = channels == 2 || channels == 4 ? channels - 1 : channels;
-  MapPicture picture{cv::Mat(pixels.rows, pixels.cols, CV_8UC1), {}};
+  MapPicture picture{cv::Mat(pixels.rows, pixels.cols, CV_8UC1), {}, {}};
   if (colours != channels) picture.alpha.create(pixels.rows, pixels.cols, CV_8UC1);
   bool opaque = true;
   for (int row = 0; row < pixels.rows; ++row) {
@@ -78,9 +78,19 @@ MapPicture readMapPicture(const std::string& path, std::size_t max_pixels) {
     throw refuse(path, beginning.empty() ? "is empty" : "is no picture that is read",
                  kPictureIsNeeded);
   }
-  const cv::Mat pixels = kind == PictureKind::kPortableMap
-                             ? readPortableMap(path, beginning, max_pixels)
-                             : decoded(path, beginning, kind, max_pixels);
+  if (kind == PictureKind::kPortableMap) {
+    const PortableMap map = readPortableMap(path, beginning, max_pixels);
+    MapPicture picture = separated(map.pixels);
+    if (map.clipped_values > 0) {
+      picture.assumptions.push_back(
+          std::to_string(map.clipped_values) + " of the picture's values " +
+          (map.clipped_values == 1 ? "is" : "are") + " above " + std::to_string(map.largest) +
+          ", the largest by its header; " + (map.clipped_values == 1 ? "it was" : "they were") +
+          " read as that");
+    }
+    return picture;
+  }
+  const cv::Mat pixels = decoded(path, beginning, kind, max_pixels);
   if (pixels.depth() != CV_8U && pixels.depth() != CV_16U)
     throw refuse(path, "has floating-point pixels", kPictureIsNeeded);
   return separated(pixels);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
 namespace occusg {
 
@@ -11,6 +12,7 @@ namespace occusg {
 struct MapPicture {
   cv::Mat grey;   ///< CV_8UC1, the mean of the colour channels.
   cv::Mat alpha;  ///< CV_8UC1; empty for a picture that is opaque everywhere.
+  std::vector<std::string> assumptions;  ///< Under which it was read, a sentence each.
 };
 
 /// Reads a picture as `map_server` does: PNG, PGM, PPM and PBM (binary or plain), BMP and JPEG;

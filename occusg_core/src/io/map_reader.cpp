@@ -128,6 +128,7 @@ GridMap readMap(const std::string& path, const MapReaderOptions& options) {
   check(map, path);
   const MapPicture picture = readMapPicture(map.picture_path, options.max_cells);
   checkReach(map, picture.grey, path);
+  assumptions.insert(assumptions.end(), picture.assumptions.begin(), picture.assumptions.end());
   const Placement place = placed(map, picture.grey);
   const GivenThresholds given{options.free_threshold.has_value(),
                               options.occupied_threshold.has_value()};

@@ -14,6 +14,7 @@
 #include "io/json_text.hpp"
 #include "io/text_lines.hpp"
 #include "occusg/error.hpp"
+#include "occusg/parameter.hpp"
 
 namespace occusg {
 namespace {
@@ -121,6 +122,25 @@ class Reader {
     throw wrong("mode", "'" + shown(written) + "'", "trinary, scale or raw is needed");
   }
 
+  /// Tells the keys that `map_server` does not know and those that are written twice.
+  void tellOddKeys(std::vector<std::string>& assumptions) const {
+    const std::vector<std::string> known = {"image", "resolution",      "origin",     "negate",
+                                            "mode",  "occupied_thresh", "free_thresh"};
+    std::vector<std::string> seen;
+    for (const auto& entry : root_) {
+      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+      if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
+        assumptions.push_back(shown(key) + " is written twice; the first value counts");
+      } else if (std::find(known.begin(), known.end(), key) == known.end()) {
+        const std::string suggestion = suggestionFor(key, known);
+        assumptions.push_back("the key '" + shown(key) +
+                              "' is none of map_server's and was ignored" +
+                              (suggestion.empty() ? "" : "; " + suggestion));
+      }
+      seen.push_back(key);
+    }
+  }
+
   /// Where the picture is: as the file says, else beside the file, which may have been moved.
   [[nodiscard]] std::string picturePath(std::vector<std::string>& assumptions) const {
     const std::string name = text("image").value_or("");
@@ -158,6 +178,7 @@ MapDescription readMapYaml(const std::string& path, const MapReaderOptions& give
   const auto threshold = [&](const std::optional<double>& wanted, const char* key) {
     return wanted ? *wanted : reader.number(key, "a threshold from 0 to 1 is needed");
   };
+  reader.tellOddKeys(assumptions);
   MapDescription map;
   map.picture_path = reader.picturePath(assumptions);
   map.resolution_m = given.resolution_m ? *given.resolution_m

@@ -125,19 +125,20 @@ cv::Mat binaryBits(const std::string& bytes, const Header& header, const std::st
   return pixels;
 }
 
-cv::Mat binaryValues(const std::string& bytes, const Header& header, const std::string& path) {
+PortableMap binaryValues(const std::string& bytes, const Header& header, const std::string& path) {
   const std::size_t start = header.end + 1;
   const std::size_t value_bytes = header.largest > 255 ? 2 : 1;
   if (bytes.size() < start || bytes.size() - start < header.values() * value_bytes)
     refuseShort(path, header);
-  cv::Mat pixels = emptyPicture(header);
-  auto* target = pixels.ptr<std::uint8_t>();
+  PortableMap map{emptyPicture(header), 0, header.largest};
+  auto* target = map.pixels.ptr<std::uint8_t>();
   const auto* source = reinterpret_cast<const unsigned char*>(bytes.data()) + start;
   for (std::size_t i = 0; i < header.values(); ++i, source += value_bytes) {
     const int value = value_bytes == 1 ? source[0] : 256 * source[0] + source[1];
+    map.clipped_values += value > header.largest ? 1U : 0U;
     target[i] = header.scaled(std::min(value, header.largest));
   }
-  return pixels;
+  return map;
 }
 
 cv::Mat plainValues(const std::string& bytes, const Header& header, const std::string& path) {
@@ -162,14 +163,15 @@ cv::Mat plainValues(const std::string& bytes, const Header& header, const std::s
 
 }  // namespace
 
-cv::Mat readPortableMap(const std::string& path, const std::string& beginning,
-                        std::size_t max_pixels) {
+PortableMap readPortableMap(const std::string& path, const std::string& beginning,
+                            std::size_t max_pixels) {
   const Header header = headerOf(beginning, max_pixels, path);
   // A plain value is up to five digits, a blank, and perhaps a line end.
   const std::size_t max_bytes = 7 * header.values() + (std::size_t{1} << 20U);
   const std::string bytes = readFile(path, max_bytes);
-  if (header.kind == '4') return binaryBits(bytes, header, path);
-  return header.kind >= '5' ? binaryValues(bytes, header, path) : plainValues(bytes, header, path);
+  if (header.kind > '4') return binaryValues(bytes, header, path);
+  return {header.kind == '4' ? binaryBits(bytes, header, path) : plainValues(bytes, header, path),
+          0, header.largest};
 }
 
 }  // namespace occusg

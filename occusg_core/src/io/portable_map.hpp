@@ -7,12 +7,19 @@
 
 namespace occusg {
 
+/// A decoded picture.
+struct PortableMap {
+  cv::Mat pixels;  ///< CV_8UC1, or CV_8UC3 for a pixel map.
+  /// Values above `largest`, which the header gives; they were read as that.
+  std::size_t clipped_values = 0;
+  int largest = 255;
+};
+
 /// Reads a portable bit, grey or pixel map (netpbm: P1 to P6), binary or plain, any largest value.
 /// Values are scaled to 0..255; a set bit is black.
 /// @param beginning the first bytes of the file, its header among them.
-/// @return CV_8UC1, or CV_8UC3 for a pixel map.
 /// @throws Error naming the file.
-[[nodiscard]] cv::Mat readPortableMap(const std::string& path, const std::string& beginning,
-                                      std::size_t max_pixels);
+[[nodiscard]] PortableMap readPortableMap(const std::string& path, const std::string& beginning,
+                                          std::size_t max_pixels);
 
 }  // namespace occusg

@@ -48,8 +48,16 @@ bool isTilted(const MapOrientation& orientation) {
   return hasCommonDown(orientation) && orientation.down_off_rad > kMostTilt_rad;
 }
 
+std::optional<double> floorAtMiddle_m(const MapOrientation& orientation) {
+  if (!orientation.floor_height_m) return std::nullopt;
+  const double camera_above_floor_m =
+      orientation.middle.dot(orientation.up) - *orientation.floor_height_m;
+  return orientation.middle.z() - camera_above_floor_m;
+}
+
 bool hasFarFloor(const MapOrientation& orientation) {
-  return orientation.floor_height_m && std::abs(*orientation.floor_height_m) > kFarthestFloor_m;
+  const std::optional<double> floor_z_m = floorAtMiddle_m(orientation);
+  return floor_z_m && std::abs(*floor_z_m) > kFarthestFloor_m;
 }
 
 void MapOrientationEstimator::add(const DepthFrame& frame) {
@@ -57,6 +65,7 @@ void MapOrientationEstimator::add(const DepthFrame& frame) {
   const RangeImage& image = projector.projectLattice(frame.depth, frame.camera, frame.T_map_camera);
   downs_.emplace_back(frame.T_map_camera.linear().col(1));
   const Eigen::Vector3d camera = frame.T_map_camera.translation();
+  positions_sum_ += camera;
   const auto width = static_cast<std::size_t>(image.camera.width);
   const auto height = static_cast<std::size_t>(image.camera.height);
   for (std::size_t v = 0; v + 1 < height; ++v) {
@@ -119,6 +128,7 @@ std::optional<double> MapOrientationEstimator::floorHeight(const Eigen::Vector3d
 MapOrientation MapOrientationEstimator::estimate() const {
   MapOrientation orientation;
   if (downs_.empty()) return orientation;
+  orientation.middle = positions_sum_ / static_cast<double>(downs_.size());
   Eigen::Vector3d down = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& direction : downs_) down += direction;
   down /= static_cast<double>(downs_.size());

@@ -93,8 +93,9 @@ const Parameter& parameterNamed(const std::vector<Parameter>& parameters, const 
   std::vector<std::string> keys;
   keys.reserve(parameters.size());
   for (const Parameter& parameter : parameters) keys.push_back(parameter.key);
+  const std::string suggestion = suggestionFor(value.key, keys);
   throw refuse(at(where, value.line), "unknown key '" + value.key + "'",
-               "did you mean '" + nearestName(value.key, keys) + "'?");
+               suggestion.empty() ? "'occusg config --print' lists the keys" : suggestion);
 }
 
 std::vector<std::string> split(const std::string& key) {

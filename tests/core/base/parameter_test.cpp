@@ -85,6 +85,11 @@ TEST(ShortestText, ReadsBackUnchangedAndHasNoNeedlessDigits) {
 TEST(NearestName, IsTheOneWithFewestEdits) {
   EXPECT_EQ(nearestName("strid", {"stripe", "stride", "string"}), "stride");
   EXPECT_EQ(nearestName("anything", {}), "");
+  EXPECT_EQ(nearestName("depth.strid", {"perception.depth.stride", "regions.period_s"}),
+            "perception.depth.stride");
+  EXPECT_EQ(nearestName("foo", {"perception.depth.stride", "regions.period_s"}), "");
+  EXPECT_EQ(suggestionFor("evl", {"eval", "run"}), "did you mean 'eval'?");
+  EXPECT_EQ(suggestionFor("query", {"merge", "run"}), "");
 }
 
 }  // namespace

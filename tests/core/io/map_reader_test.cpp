@@ -150,6 +150,25 @@ TEST_F(MapReader, BrokenYamlIsNamedWithItsLine) {
   EXPECT_TRUE(tells(yamlFails("-1.0", "-1e9"), {"coordinates up to"}));
 }
 
+TEST_F(MapReader, KeysThatHaveNoEffectAreTold) {
+  folder_.write("map.yaml", std::string(kYaml) + "resolution: 0.1\nmodes: scale\n");
+  const GridMap map = readMap(folder_.at("map.yaml"));
+  EXPECT_EQ(map.free_space.frame.resolution_m, 0.05);
+  ASSERT_EQ(map.assumptions.size(), 2U);
+  EXPECT_EQ(map.assumptions[0], "resolution is written twice; the first value counts");
+  EXPECT_EQ(map.assumptions[1],
+            "the key 'modes' is none of map_server's and was ignored; did you mean 'mode'?");
+}
+
+TEST_F(MapReader, ValuesAboveTheLargestOfTheHeaderAreTold) {
+  folder_.write("bright.pgm", "P5 2 1 100\n\x64\xFF");
+  const GridMap map = readMap(folder_.at("bright.pgm"), atFiveCentimetres());
+  ASSERT_FALSE(map.assumptions.empty());
+  EXPECT_EQ(map.assumptions[0],
+            "1 of the picture's values is above 100, the largest by its header; it was read as "
+            "that");
+}
+
 TEST_F(MapReader, DeepNestingNeverReachesTheParser) {
   EXPECT_TRUE(tells(yamlFails("0.05", std::string(30000, '[')), {"is nested deeply"}));
   EXPECT_TRUE(tells(yamlFails("image", "- - - - image"), {"is nested deeply"}));

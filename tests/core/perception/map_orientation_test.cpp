@@ -34,6 +34,18 @@ TEST(MapOrientation, LevelMapIsLevelAndItsFloorIsAtZero) {
   EXPECT_NEAR(*orientation.floor_height_m, 0.0, 0.02);
 }
 
+TEST(MapOrientation, FloorFarFromTheOriginIsJudgedWhereTheCameraWas) {
+  const MapOrientation near = orientationOf(testing::driveThroughTwoRooms(), Pose::Identity());
+  const MapOrientation far =
+      orientationOf(testing::driveThroughTwoRooms(), turned({0, 0, 1}, 0.0, {20000, -30000, 0}));
+  ASSERT_TRUE(floorAtMiddle_m(near) && floorAtMiddle_m(far));
+  EXPECT_NEAR(*floorAtMiddle_m(near), 0.0, 0.02);
+  EXPECT_NEAR(*floorAtMiddle_m(far), 0.0, 0.05);
+  EXPECT_FALSE(hasFarFloor(far));
+  EXPECT_TRUE(hasFarFloor(
+      orientationOf(testing::driveThroughTwoRooms(), turned({0, 0, 1}, 0.0, {20000, 0, 1.5}))));
+}
+
 TEST(MapOrientation, MapOfAVisualSlamIsLevelled) {
   // Its world is the first camera: y down, 1.2 m above the floor.
   const Pose T_other_map = turned({1, 0.2, 0}, 99.0, {0.4, 0.3, -1.2});

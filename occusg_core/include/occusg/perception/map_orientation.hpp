@@ -18,15 +18,22 @@ struct MapOrientation {
   double agreement = 0.0;
   /// Against gravity, in the map; of unit length, and +z when the images agree on nothing.
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  /// Height of the lowest large level surface along `up` [m]; empty when none was seen.
+  /// Height of the lowest large level surface along `up`, from the origin [m]; empty when none was
+  /// seen.
   std::optional<double> floor_height_m;
+  /// Mean of the camera's positions, in the map [m].
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
 };
 
 /// Whether the images agree on where down is; those of a camera that looks at the floor do not.
 [[nodiscard]] bool hasCommonDown(const MapOrientation& orientation);
 /// Whether z is not up in the map: a camera that looks down a table or up a wall is nearer.
 [[nodiscard]] bool isTilted(const MapOrientation& orientation);
-/// Whether the floor is farther from z = 0 than one a robot of this map drives on.
+/// z of the floor beneath the middle of the camera's positions [m]; empty when no floor was seen.
+/// Unlike `floor_height_m` it is right for a level map whose estimated `up` is a fraction of a
+/// degree off: 500 m from the origin that fraction is metres.
+[[nodiscard]] std::optional<double> floorAtMiddle_m(const MapOrientation& orientation);
+/// Whether that floor is farther from z = 0 than one a robot of this map drives on.
 [[nodiscard]] bool hasFarFloor(const MapOrientation& orientation);
 
 /// Finds out how a map lies from a sample of its frames. Gravity is refined from the mean direction
@@ -58,7 +65,8 @@ class MapOrientationEstimator {
   [[nodiscard]] Eigen::Vector3d refined(const Eigen::Vector3d& up, double within_rad) const;
   [[nodiscard]] std::optional<double> floorHeight(const Eigen::Vector3d& up) const;
 
-  std::vector<Eigen::Vector3d> downs_;  ///< Of the images, in the map.
+  std::vector<Eigen::Vector3d> downs_;                       ///< Of the images, in the map.
+  Eigen::Vector3d positions_sum_ = Eigen::Vector3d::Zero();  ///< Of the camera, in the map [m].
   std::vector<Patch> patches_;
 };
 
