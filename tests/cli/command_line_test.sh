@@ -30,6 +30,9 @@ expect "run without an output" 2 "--output is missing (folder for the results" r
 expect "unknown option" 2 "unknown option '--fast' (see 'occusg help run')" run short -o out --fast
 expect "misspelt option" 2 "did you mean '--config'?" run short -o out --confg paper
 expect "option without its value" 2 "--config needs a value: 'default', 'paper' or a YAML file" run short -o out --config
+expect "empty question" 2 "--query is ''; allowed are" show none --query ""
+expect "question without text" 2 "--query needs a value: answer this" show none --query=
+expect "number beyond the range" 2 "--jobs is '99999999999'; a whole number from" batch short -o out --jobs 99999999999
 expect "option given twice" 2 "is given more than once" run short -o out -o other
 expect "too many arguments" 2 "too many arguments" run short short -o out
 expect "config without --print" 2 "--print" config
