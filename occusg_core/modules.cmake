@@ -105,6 +105,7 @@ occusg_add_module(regions
     passages.cpp
     region_tracker.cpp
     regions_parameters.cpp
+    side_corridors.cpp
     small_pieces.cpp
     squared_distance.cpp
     straight_cuts.cpp

@@ -9,6 +9,7 @@
 #include "regions/basins.hpp"
 #include "regions/clearance.hpp"
 #include "regions/passages.hpp"
+#include "regions/side_corridors.hpp"
 #include "regions/straight_cuts.hpp"
 
 namespace occusg {
@@ -64,6 +65,9 @@ BasinRegions basinRegionsOf(const Grid<std::int8_t>& closed, const GridFrame& fr
   basins = withoutSmallPieces(joinedAcrossOpenings(clearance, basins, rules), min_cells);
   basins = withoutNiches(clearance, basins,
                          {config.max_opening_ratio, rules.widening, rules.reach_cells});
+  basins = withSideCorridorsApart(
+      clearance, std::move(basins),
+      {config.min_room_width_m / frame.resolution_m, widest_passage_cells, min_cells});
   Grid<std::int32_t> labels = straightened(clearance, basins, passageCuts(clearance, basins));
   leaveOutIslands(clearance, config.island_footprint, labels);
   return {withoutSmallPieces(labels, min_cells), std::move(clearance.squared)};

@@ -19,7 +19,7 @@ struct BasinRegions {
 };
 
 /// Basins of the clearance, joined where no real narrowing separates them, with straight borders
-/// (docs/rooms.md, steps 2 to 8). Both grids are empty when no cell is free.
+/// (docs/rooms.md, steps 2 to 9). Both grids are empty when no cell is free.
 [[nodiscard]] BasinRegions basinRegionsOf(const Grid<std::int8_t>& closed, const GridFrame& frame,
                                           const ConstrictionDecomposerConfig& config);
 

@@ -116,7 +116,7 @@ TEST(ConstrictionDecomposer, ObliqueDoorIsCutObliquely) {
 TEST(ConstrictionDecomposer, DoorAsWideAsItsCorridorSeparates) {
   // 0.8 m both. Opposite the door the corridor has room for a circle of hardly more.
   FreeSpace layer = solid(10.6, 6.0);
-  fill(layer, 0.2, 0.2, 10.2, 1.0);
+  fill(layer, 3.8, 0.2, 6.6, 1.0);
   fill(layer, 3.2, 1.2, 7.2, 5.2);
   fill(layer, 4.8, 1.0, 5.6, 1.2);
   EXPECT_EQ(regionCount(layer), 2U);
@@ -183,6 +183,26 @@ TEST(ConstrictionDecomposer, FreestandingWallSeparatesAlthoughItsAreaIsSmall) {
   const Decomposition result = decompose(layer);
   EXPECT_EQ(result.regions.size(), 2U);
   EXPECT_EQ(result.crossings.size(), 2U);
+}
+
+/// A hall of 8 m x 8 m; a corridor of 1.5 m leaves the middle of its right wall without a door.
+FreeSpace hallWithACorridor(double length_m) {
+  FreeSpace layer = solid(8.6 + length_m, 8.4);
+  fill(layer, 0.2, 0.2, 8.2, 8.2);
+  fill(layer, 8.2, 3.45, 8.2 + length_m, 4.95);
+  return layer;
+}
+
+TEST(ConstrictionDecomposer, CorridorThatOpensIntoAHallIsARegion) {
+  const Decomposition result = decompose(hallWithACorridor(8.0));
+  ASSERT_EQ(result.regions.size(), 2U);
+  ASSERT_EQ(result.crossings.size(), 1U);
+  EXPECT_NEAR(result.regions[0].area_m2, 64.0, 0.4);
+  EXPECT_NEAR(result.regions[1].area_m2, 12.0, 0.4);
+}
+
+TEST(ConstrictionDecomposer, ShortArmOfAHallIsNoCorridor) {
+  EXPECT_EQ(regionCount(hallWithACorridor(4.0)), 1U);
 }
 
 TEST(ConstrictionDecomposer, NicheBelowTheSmallestAreaBelongsToItsRoom) {
