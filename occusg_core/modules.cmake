@@ -36,6 +36,7 @@ occusg_add_module(perception
 
 occusg_add_module(mapping
   SOURCES
+    ceiling.cpp
     column_bits.cpp
     depth_bounds.cpp
     far_islands.cpp
@@ -53,6 +54,7 @@ occusg_add_module(mapping
     occupancy_map.cpp
     occupancy_thresholds.cpp
     settled_voxels.cpp
+    storey_finder.cpp
     tree_writer.cpp
     voxel_columns.cpp
     voxel_tree.cpp
@@ -147,6 +149,7 @@ occusg_add_module(graph
 
 occusg_add_module(pipeline
   SOURCES
+    building_graph.cpp
     config.cpp
     config_file.cpp
     frame_report.cpp

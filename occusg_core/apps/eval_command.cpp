@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +17,7 @@
 #include "occusg/evaluation/room_metrics.hpp"
 #include "occusg/io/rooms_file.hpp"
 #include "output_file.hpp"
+#include "storey_rooms.hpp"
 
 namespace occusg::apps {
 namespace {
@@ -26,6 +29,8 @@ CommandHelp evalHelp() {
       "occusg eval PREDICTED TRUTH [options]",
       "Compares predicted rooms with annotated ones. Each side is a rooms.json or a 16-bit grey\n"
       "PNG of room ids, its lower left corner at (0, 0), which takes --resolution.\n\n"
+      "Rooms of different storeys are matched apart, a predicted storey with the annotated one\n"
+      "whose floor is at most 1 m from its own.\n\n"
       "Rooms are matched one to one so that the sum of their intersections over unions (IoU)\n"
       "is largest; a match counts from an IoU of 0.15 (the paper's), 0.50 and 0.75.\n"
       "  R, P, F1   share of annotated rooms found, of predictions that are one, and both\n"
@@ -49,23 +54,30 @@ bool isPicture(const std::string& path) {
   return std::filesystem::path(path).extension() == ".png";
 }
 
-std::vector<EvaluatedRoom> roomsOfPicture(const std::string& path,
-                                          const po::variables_map& values) {
+std::vector<RoomOnStorey> roomsOfPicture(const std::string& path, const po::variables_map& values) {
   if (values.count("resolution") == 0) {
     throw refuse(path, "says nothing of its scale",
                  "the metres of a pixel are needed (--resolution)");
   }
-  std::vector<EvaluatedRoom> rooms;
+  std::vector<RoomOnStorey> rooms;
   for (LabelledRoom& room : readLabelledRooms(path, values["resolution"].as<double>()))
-    rooms.push_back({room.id, std::move(room.parts)});
+    rooms.push_back({{room.id, std::move(room.parts)}, 0.0});
   return rooms;
 }
 
-std::vector<EvaluatedRoom> roomsOfFile(const std::string& path) {
-  std::vector<EvaluatedRoom> rooms;
-  for (const RoomRecord& record : readExternalRooms(path, RingOrder::kAsWritten).rooms) {
+/// Height of the floor of the storey with the id; the file's where it names no storeys.
+double floorOf(const RoomsFile& file, int storey) {
+  for (const StoreyRecord& record : file.storeys)
+    if (record.id == storey) return record.floor_z_m;
+  return file.floor_z_m;
+}
+
+std::vector<RoomOnStorey> roomsOfFile(const std::string& path) {
+  std::vector<RoomOnStorey> rooms;
+  const RoomsFile file = readExternalRooms(path, RingOrder::kAsWritten);
+  for (const RoomRecord& record : file.rooms) {
     if (auto room = roomFrom(record.id, record.polygon, path)) {
-      rooms.push_back(*std::move(room));
+      rooms.push_back({*std::move(room), floorOf(file, record.level)});
     } else {
       std::cerr << "occusg: " << path << ": room " << record.id
                 << " encloses no area and is left out\n";
@@ -74,13 +86,22 @@ std::vector<EvaluatedRoom> roomsOfFile(const std::string& path) {
   return rooms;
 }
 
-std::vector<EvaluatedRoom> truthOfFile(const std::string& path) {
+std::vector<RoomOnStorey> truthOfFile(const std::string& path) {
   std::vector<TruthRoom> rooms;
-  for (const RoomRecord& record : readRooms(path, RingOrder::kAsWritten).rooms)
+  const RoomsFile file = readRooms(path, RingOrder::kAsWritten);
+  std::map<int, double> floors;
+  for (const RoomRecord& record : file.rooms) {
     rooms.push_back({record.id, record.polygon, record.level, record.further_parts});
+    floors[record.id] = floorOf(file, record.level);
+  }
   SoundTruth truth = soundTruth(rooms, path);
   for (const std::string& note : truth.notes) std::cerr << "occusg: " << note << '\n';
-  return std::move(truth.rooms);
+  std::vector<RoomOnStorey> sound;
+  for (EvaluatedRoom& room : truth.rooms) {
+    const double floor_z_m = floors[room.id];
+    sound.push_back({std::move(room), floor_z_m});
+  }
+  return sound;
 }
 
 std::string shown(const std::optional<double>& value) {
@@ -106,6 +127,38 @@ void print(const RoomMetrics& metrics) {
             << (metrics.severe_under_segmentation ? "yes" : "no") << '\n';
 }
 
+void print(const StoreyRooms& storey, const RoomMetricsOptions& options) {
+  std::cout << "  storey at " << std::fixed << std::setprecision(2) << storey.floor_z_m << " m: ";
+  if (!storey.is_annotated) {
+    std::cout << storey.predicted.size() << " predicted rooms, none annotated there\n";
+    return;
+  }
+  const RoomMetrics metrics = evaluateRooms(storey.predicted, storey.truth, options);
+  std::cout << metrics.n_truth << " annotated rooms, " << metrics.n_predicted << " predicted, F1";
+  for (const ThresholdMetrics& at : metrics.at)
+    std::cout << "  " << std::setprecision(3) << at.f1 << " at " << std::setprecision(2)
+              << at.threshold;
+  std::cout << '\n';
+}
+
+std::vector<EvaluatedRoom> roomsOf(const std::vector<RoomOnStorey>& rooms) {
+  std::vector<EvaluatedRoom> all;
+  for (const RoomOnStorey& room : rooms) all.push_back(room.room);
+  return all;
+}
+
+/// Rooms are matched storey by storey where the truth has more than one.
+RoomMetrics evaluated(const std::vector<RoomOnStorey>& predicted,
+                      const std::vector<RoomOnStorey>& truth, const RoomMetricsOptions& options) {
+  std::set<double> floors;
+  for (const RoomOnStorey& room : truth) floors.insert(room.floor_z_m);
+  if (floors.size() < 2) return evaluateRooms(roomsOf(predicted), roomsOf(truth), options);
+  const std::vector<StoreyRooms> storeys = byStorey(predicted, truth);
+  for (const StoreyRooms& storey : storeys) print(storey, options);
+  const StoreyRooms all = sideBySide(storeys);
+  return evaluateRooms(all.predicted, all.truth, options);
+}
+
 }  // namespace
 
 ExitCode evalCommand(const std::vector<std::string>& arguments) {
@@ -120,7 +173,7 @@ ExitCode evalCommand(const std::vector<std::string>& arguments) {
                                                    : roomsOfFile(predicted_path);
   const auto truth =
       isPicture(truth_path) ? roomsOfPicture(truth_path, values) : truthOfFile(truth_path);
-  const RoomMetrics metrics = evaluateRooms(predicted, truth, metrics_options);
+  const RoomMetrics metrics = evaluated(predicted, truth, metrics_options);
   print(metrics);
   if (values.count("json") > 0) OutputFile(values["json"].as<std::string>()).write(toJson(metrics));
   return kFine;

@@ -387,12 +387,14 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   failWhenMostPosesAreBad(pipeline.counts(), sequence.scene());
   // Before `finish`, and written after the results: a session that cannot be saved costs none.
   std::optional<SessionState> session;
-  if (session_folder) session = pipeline.sessionState(sequence.scene());
+  std::vector<std::string> problems;
+  trying(problems, [&] {
+    if (session_folder) session = pipeline.sessionState(sequence.scene());
+  });
   pipeline.finish();
 
   StageTimes times = pipeline.times();
   setPeakMemory(times);
-  std::vector<std::string> problems;
   trying(problems,
          [&] { writeResultFiles(folder, filesOf(pipeline, sequence.scene(), times, schemas)); });
   trying(problems, [&] {

@@ -20,6 +20,10 @@ namespace {
 
 constexpr double kPeriodRoundingS = 1e-6;
 
+Point2 groundPosition(const Pose& T_map_agent) {
+  return {T_map_agent.translation().x(), T_map_agent.translation().y()};
+}
+
 }  // namespace
 
 /// The graph, and what keeps each part of it up to date.
@@ -74,17 +78,25 @@ std::size_t GraphBuilder::roomIdSwitches() const { return parts_->history.idSwit
 
 const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose& T_map_agent,
                                        double stamp_s) {
-  return assemble(tracked, T_map_agent, stamp_s, nullptr);
+  observePose(T_map_agent, stamp_s);
+  return assemble(tracked, groundPosition(T_map_agent), stamp_s, nullptr);
 }
 
 const SceneGraph& GraphBuilder::update(const TrackedRegions& tracked, const Pose& T_map_agent,
                                        double stamp_s, const MapView& map) {
-  return assemble(tracked, T_map_agent, stamp_s, &map);
+  observePose(T_map_agent, stamp_s);
+  return assemble(tracked, groundPosition(T_map_agent), stamp_s, &map);
 }
 
-const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Pose& T_map_agent,
-                                         double stamp_s, const MapView* map) {
-  observePose(T_map_agent, stamp_s);
+const SceneGraph& GraphBuilder::updateUnattended(const TrackedRegions& tracked, double stamp_s,
+                                                 const MapView& map) {
+  parts_->graph.setStamp(stamp_s);
+  return assemble(tracked, std::nullopt, stamp_s, &map);
+}
+
+const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked,
+                                         const std::optional<Point2>& robot, double stamp_s,
+                                         const MapView* map) {
   if (parts_->last_update_s && stamp_s < *parts_->last_update_s) {
     ++parts_->updates_back_in_time;
     return parts_->graph;
@@ -94,11 +106,10 @@ const SceneGraph& GraphBuilder::assemble(const TrackedRegions& tracked, const Po
   const bool is_due = stamp_s - parts_->last_maintenance_s >=
                       parts_->config.maintenance_period_s - kPeriodRoundingS;
   if (is_due) parts_->last_maintenance_s = stamp_s;
-  const Point2 robot{T_map_agent.translation().x(), T_map_agent.translation().y()};
   if (map != nullptr) {
     parts_->navigation.update(parts_->graph, *map->layer, map->changed, stamp_s);
-    if (map->occupancy != nullptr)
-      parts_->objects.removeGhosts(parts_->graph, *map->occupancy, robot, map->max_range_m);
+    if (robot && map->occupancy != nullptr)
+      parts_->objects.removeGhosts(parts_->graph, *map->occupancy, *robot, map->max_range_m);
   }
   parts_->rooms.update(parts_->graph, tracked, robot, stamp_s,
                        is_due ? Maintenance::kDue : Maintenance::kNotDue);

@@ -18,8 +18,9 @@ constexpr double kStampRoundingS = 1e-6;
 RoomLayer::RoomLayer(const RoomLayerConfig& config)
     : config_(checked(config)), assignment_(config.boundary_tolerance_m) {}
 
-void RoomLayer::update(SceneGraph& graph, const TrackedRegions& tracked, const Point2& robot,
-                       double stamp_s, Maintenance maintenance) {
+void RoomLayer::update(SceneGraph& graph, const TrackedRegions& tracked,
+                       const std::optional<Point2>& robot, double stamp_s,
+                       Maintenance maintenance) {
   snapshot_.update(tracked);
   assignment_.update(graph, snapshot_);
   adjacency_.observe(graph, snapshot_, assignment_);
@@ -150,8 +151,10 @@ std::vector<const Region*> RoomLayer::unownedRegionsNear(const std::vector<LostR
   return unowned;
 }
 
-void RoomLayer::followRobot(SceneGraph& graph, const Point2& robot, double stamp_s) {
-  current_region_ = regionAt(snapshot_, robot, config_.boundary_tolerance_m, current_region_);
+void RoomLayer::followRobot(SceneGraph& graph, const std::optional<Point2>& robot, double stamp_s) {
+  current_region_ = robot
+                        ? regionAt(snapshot_, *robot, config_.boundary_tolerance_m, current_region_)
+                        : std::nullopt;
   current_room_ = current_region_ ? ownerOf(*current_region_) : std::nullopt;
   if (!current_region_ || snapshot_.state() != SnapshotState::kFresh) return;
   if (current_room_) {

@@ -29,9 +29,9 @@ class RoomLayer {
  public:
   explicit RoomLayer(const RoomLayerConfig& config);
 
-  /// @param robot where the robot is, in the ground plane.
-  void update(SceneGraph& graph, const TrackedRegions& tracked, const Point2& robot, double stamp_s,
-              Maintenance maintenance);
+  /// @param robot where the robot is, in the ground plane; none: on another storey.
+  void update(SceneGraph& graph, const TrackedRegions& tracked, const std::optional<Point2>& robot,
+              double stamp_s, Maintenance maintenance);
 
   /// Maintenance after the last update: what waits for time to pass is decided now. With
   /// PromotionEvidence::kObservedArea regions become rooms even if none ever held the robot.
@@ -58,7 +58,7 @@ class RoomLayer {
   void dropForgottenRegions();
   void returnToFormerRegions(SceneGraph& graph, double stamp_s);
   void moveToSuccessors(SceneGraph& graph, double stamp_s);
-  void followRobot(SceneGraph& graph, const Point2& robot, double stamp_s);
+  void followRobot(SceneGraph& graph, const std::optional<Point2>& robot, double stamp_s);
 
   void maintain(SceneGraph& graph, double stamp_s, Decisions decisions);
   void promote(SceneGraph& graph, double stamp_s, Decisions decisions);

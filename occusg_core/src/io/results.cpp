@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "occusg/io/results.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <locale>
 #include <map>
@@ -12,6 +13,7 @@
 #include "io/result_index.hpp"
 #include "io/rooms_geojson.hpp"
 #include "io/spark_dsg_file.hpp"
+#include "mapping/ceiling.hpp"
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/scene_graph_file.hpp"
@@ -59,10 +61,37 @@ std::string overviewPng(const Findings& findings, const RoomsFile& rooms) {
       effortFor(rooms.rooms.size()));
 }
 
+std::vector<StoreyLayer> storeysOf(const Pipeline& pipeline) {
+  const std::vector<Storey>& storeys = pipeline.storeys();
+  std::vector<StoreyLayer> layers;
+  if (storeys.size() == 1) return layers;
+  for (std::size_t i = 0; i < storeys.size(); ++i)
+    layers.push_back({storeys[i], &pipeline.freeSpace(i)});
+  std::sort(layers.begin(), layers.end(), [](const StoreyLayer& a, const StoreyLayer& b) {
+    return a.storey.floor_z_m < b.storey.floor_z_m;
+  });
+  return layers;
+}
+
+Findings findingsOf(const Pipeline& pipeline, const std::string& scene) {
+  return {pipeline.freeSpace(), pipeline.graph(), pipeline.config().graph.rooms.floor_z_m, scene,
+          storeysOf(pipeline)};
+}
+
+RoomsFile roomsOf(const Findings& found) {
+  RoomsFile file = roomsOf(found.graph, found.scene, found.floor_z_m);
+  for (const StoreyLayer& storey : found.storeys) {
+    file.storeys.push_back({storey.storey.id, storey.storey.floor_z_m,
+                            ceilingOf(*storey.layer, storey.storey.floor_z_m)});
+  }
+  if (!file.storeys.empty()) file.floor_z_m = file.storeys.front().floor_z_m;
+  return file;
+}
+
 }  // namespace
 
 RoomsFile roomsOf(const Pipeline& pipeline, const std::string& scene) {
-  return roomsOf(pipeline.graph(), scene, pipeline.config().graph.rooms.floor_z_m);
+  return roomsOf(findingsOf(pipeline, scene));
 }
 
 std::string timingJson(const StageTimes& times) {
@@ -94,31 +123,34 @@ std::vector<ResultFile> bytesOf(const std::vector<ResultWriter>& writers) {
   return files;
 }
 
-Findings findingsOf(const Pipeline& pipeline, const std::string& scene) {
-  return {pipeline.freeSpace(), pipeline.graph(), pipeline.config().graph.rooms.floor_z_m, scene};
-}
-
 /// By value: the findings hold references to what outlives the writers.
 std::vector<ResultWriter> writersOf(const Findings& found, const StageTimes& times) {
-  const auto rooms = [found] { return roomsOf(found.graph, found.scene, found.floor_z_m); };
+  const auto rooms = [found] { return roomsOf(found); };
   const auto map = [found] { return toMapFiles(found.free_space, "free_space.pgm"); };
-  return {{"rooms.json", [rooms](std::ostream& out) { out << toJson(rooms()); }},
-          {"scene_graph.json",
-           [found](std::ostream& out) { writeJson(found.graph, found.scene, "map", out); }},
-          {"scene_graph.graphml",
-           [found](std::ostream& out) { writeGraphMl(found.graph, found.scene, out); }},
-          {"scene_graph.dsg.json",
-           [found](std::ostream& out) { writeSparkDsg(found.graph, found.scene, "map", out); }},
-          {"rooms.geojson", [rooms](std::ostream& out) { out << toGeoJson(rooms()); }},
-          {"free_space.pgm", [map](std::ostream& out) { out << map().pgm; }},
-          {"free_space.yaml", [map](std::ostream& out) { out << map().yaml; }},
-          {"timing.json", [&times](std::ostream& out) { out << timingJson(times); }}};
+  std::vector<ResultWriter> writers = {
+      {"rooms.json", [rooms](std::ostream& out) { out << toJson(rooms()); }},
+      {"scene_graph.json",
+       [found](std::ostream& out) { writeJson(found.graph, found.scene, "map", out); }},
+      {"scene_graph.graphml",
+       [found](std::ostream& out) { writeGraphMl(found.graph, found.scene, out); }},
+      {"scene_graph.dsg.json",
+       [found](std::ostream& out) { writeSparkDsg(found.graph, found.scene, "map", out); }},
+      {"rooms.geojson", [rooms](std::ostream& out) { out << toGeoJson(rooms()); }},
+      {"free_space.pgm", [map](std::ostream& out) { out << map().pgm; }},
+      {"free_space.yaml", [map](std::ostream& out) { out << map().yaml; }},
+      {"timing.json", [&times](std::ostream& out) { out << timingJson(times); }}};
+  for (const StoreyLayer& storey : found.storeys) {
+    const std::string name = "free_space_" + std::to_string(storey.storey.id);
+    const auto files = [name, layer = storey.layer] { return toMapFiles(*layer, name + ".pgm"); };
+    writers.push_back({name + ".pgm", [files](std::ostream& out) { out << files().pgm; }});
+    writers.push_back({name + ".yaml", [files](std::ostream& out) { out << files().yaml; }});
+  }
+  return writers;
 }
 
 ResultWriter pictureOf(const Findings& found, const std::string& scene) {
-  return {"overview.png", [found, scene](std::ostream& out) {
-            out << overviewPng(found, roomsOf(found.graph, scene, found.floor_z_m));
-          }};
+  return {"overview.png",
+          [found, scene](std::ostream& out) { out << overviewPng(found, roomsOf(found)); }};
 }
 
 }  // namespace

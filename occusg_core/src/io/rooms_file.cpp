@@ -26,8 +26,10 @@ RoomRecord roomOf(const json& value, const std::string& file, std::size_t index,
   if (const json* label = optionalMember(value, "label", where); label != nullptr)
     room.label = stringOf(*label, where + " label");
   room.polygon = rings.polygonOf(value, where);
-  if (const json* level = optionalMember(value, "level", where); level != nullptr)
-    room.level = integerOf(*level, where + " level");
+  for (const char* name : {"level", "storey"}) {
+    if (const json* level = optionalMember(value, name, where); level != nullptr)
+      room.level = integerOf(*level, where + " " + name);
+  }
   const json* parts = optionalMember(value, "further_parts", where);
   if (parts == nullptr) return room;
   for (const json& part : arrayOf(*parts, where + " further_parts"))
@@ -52,6 +54,40 @@ std::vector<RoomRecord> roomsOf(const json& values, const std::string& file, Rin
     }
   }
   return rooms;
+}
+
+std::vector<StoreyRecord> storeysOf(const json& values, const std::string& file) {
+  constexpr std::size_t kMaxStoreys = 1000;
+  if (arrayOf(values, file + ": storeys").size() > kMaxStoreys) {
+    throw refuse(file, "has " + std::to_string(values.size()) + " storeys",
+                 "at most " + std::to_string(kMaxStoreys) + " are read");
+  }
+  std::vector<StoreyRecord> storeys;
+  std::set<int> ids;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string where = file + ": storeys[" + std::to_string(i) + "]";
+    StoreyRecord storey;
+    storey.id = integerOf(member(values[i], "id", where), where + " id");
+    storey.floor_z_m = coordinateOf(member(values[i], "floor_z", where), where + " floor_z");
+    if (const json* ceiling = optionalMember(values[i], "ceiling_z", where); ceiling != nullptr)
+      storey.ceiling_z_m = coordinateOf(*ceiling, where + " ceiling_z");
+    if (!ids.insert(storey.id).second) {
+      throw refuse(file, "storey id " + std::to_string(storey.id) + " appears twice",
+                   "ids must be different");
+    }
+    storeys.push_back(storey);
+  }
+  return storeys;
+}
+
+json jsonOf(const std::vector<StoreyRecord>& storeys) {
+  json values = json::array();
+  for (const StoreyRecord& storey : storeys) {
+    json value = {{"id", storey.id}, {"floor_z", rounded(storey.floor_z_m)}};
+    if (storey.ceiling_z_m) value["ceiling_z"] = rounded(*storey.ceiling_z_m);
+    values.push_back(std::move(value));
+  }
+  return values;
 }
 
 json jsonOf(const Polygon& polygon) {
@@ -104,6 +140,8 @@ RoomsFile parseRooms(const std::string& text, const std::string& where, RingOrde
     file.frame = stringOf(*frame, where + ": frame");
   if (const json* floor = optionalMember(document, "floor_z", where); floor != nullptr)
     file.floor_z_m = coordinateOf(*floor, where + ": floor_z");
+  if (const json* storeys = optionalMember(document, "storeys", where); storeys != nullptr)
+    file.storeys = storeysOf(*storeys, where);
   file.rooms = roomsOf(member(document, "rooms", where), where, order);
   if (const json* doors = optionalMember(document, "doors", where); doors != nullptr)
     file.doors = doorsOf(*doors, where, file.rooms);
@@ -120,7 +158,11 @@ std::string toJson(const RoomsFile& file) {
     json object = jsonOf(room.polygon);
     object["id"] = room.id;
     object["label"] = room.label;
-    if (room.level != 0) object["level"] = room.level;
+    if (!file.storeys.empty()) {
+      object["storey"] = room.level;
+    } else if (room.level != 0) {
+      object["level"] = room.level;
+    }
     for (const Polygon& part : room.further_parts) object["further_parts"].push_back(jsonOf(part));
     rooms.push_back(std::move(object));
   }
@@ -129,11 +171,12 @@ std::string toJson(const RoomsFile& file) {
     doors.push_back({{"rooms", json::array({door.room_a, door.room_b})},
                      {"segment", jsonOf(Ring{door.segment.a, door.segment.b})}});
   }
-  return jsonDocument({{"scene", file.scene},
-                       {"frame", file.frame},
-                       {"floor_z", rounded(file.floor_z_m)},
-                       {"rooms", std::move(rooms)},
-                       {"doors", std::move(doors)}});
+  std::vector<std::pair<std::string, json>> members = {
+      {"scene", file.scene}, {"frame", file.frame}, {"floor_z", rounded(file.floor_z_m)}};
+  if (!file.storeys.empty()) members.emplace_back("storeys", jsonOf(file.storeys));
+  members.emplace_back("rooms", std::move(rooms));
+  members.emplace_back("doors", std::move(doors));
+  return jsonDocument(members);
 }
 
 }  // namespace occusg

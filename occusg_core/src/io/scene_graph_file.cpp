@@ -101,7 +101,7 @@ RoomsFile roomsOf(const SceneGraph& graph, const std::string& scene, double floo
   file.floor_z_m = floor_z_m;
   for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
     const auto& room = std::get<RoomAttributes>(node.attributes);
-    file.rooms.push_back({roomNumber(id), room.label, room.polygon});
+    file.rooms.push_back({roomNumber(id), room.label, room.polygon, node.floor_id});
   }
   for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
     for (const Segment2& crossing : edge.crossings)

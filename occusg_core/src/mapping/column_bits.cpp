@@ -37,6 +37,17 @@ void ColumnBits::addByte(int bottom, std::uint8_t free, std::uint8_t occupied) {
   word.occupied |= static_cast<std::uint64_t>(occupied) << (bottom - word.bottom);
 }
 
+void ColumnBits::keep(const VoxelRun& heights) {
+  std::size_t kept = 0;
+  for (ColumnWord word : words_) {
+    const std::uint64_t mask = maskOf(word, heights);
+    word.free &= mask;
+    word.occupied &= mask;
+    if ((word.free | word.occupied) != 0) words_[kept++] = word;
+  }
+  words_.resize(kept);
+}
+
 VoxelRun ColumnBits::nextFree(int from) const {
   VoxelRun run;
   for (const ColumnWord& word : words_) {

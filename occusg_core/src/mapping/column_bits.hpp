@@ -29,6 +29,8 @@ class ColumnBits {
   void addByte(int bottom, std::uint8_t free, std::uint8_t occupied);
 
   [[nodiscard]] bool empty() const { return words_.empty(); }
+  /// Makes every voxel beyond `heights` unknown.
+  void keep(const VoxelRun& heights);
 
   /// The lowest free voxel at or above `from` and the free ones on top of it; empty when there is
   /// none.

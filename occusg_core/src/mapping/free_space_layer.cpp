@@ -28,6 +28,10 @@ const FreeSpace& FreeSpaceLayer::recompute(const OccupancyMap& map) {
   return projection_->recompute(map);
 }
 
+const FreeSpace& FreeSpaceLayer::confine(const OccupancyMap& map, const HeightSpan& span) {
+  return projection_->confine(map, span);
+}
+
 bool FreeSpaceLayer::canCover(const CellBox& box) const { return projection_->canCover(box); }
 
 const FreeSpace& FreeSpaceLayer::freeSpace() const { return projection_->freeSpace(); }

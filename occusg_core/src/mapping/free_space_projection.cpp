@@ -56,6 +56,11 @@ void check(const FreeSpaceLayerConfig& config, const GridFrame& frame) {
 /// Within this distance the floor of one place says what the floor of another is.
 constexpr double kFloorReach_m = 1.0;
 
+/// A floor that lies deeper below a storey's is no step down but another storey's.
+constexpr double kLeastFall_m = 0.8;
+/// What is free up to here above the floor's height has no floor there.
+constexpr double kFloorThickness_m = 0.1;
+
 int floorReach_tiles(double resolution_m) {
   constexpr int kFarthest_tiles = 16;
   const double tiles = std::ceil(kFloorReach_m / (kFloorTile_cells * resolution_m) - 0.5);
@@ -119,8 +124,20 @@ const FreeSpace& FreeSpaceProjection::update(const OccupancyMap& map, const MapC
 
 const FreeSpace& FreeSpaceProjection::recompute(const OccupancyMap& map) {
   checkResolution(map);
+  return rebuild(VoxelColumns::of(map.tree()));
+}
+
+const FreeSpace& FreeSpaceProjection::confine(const OccupancyMap& map, const HeightSpan& span) {
+  checkResolution(map);
+  const double resolution_m = layer_.frame.resolution_m;
+  storey_ = {clampedHeight(std::round(span.bottom_m / resolution_m)),
+             clampedHeight(std::round(span.top_m / resolution_m))};
+  return rebuild(map.columns());
+}
+
+const FreeSpace& FreeSpaceProjection::rebuild(const VoxelColumns& columns) {
   FreeSpaceProjection fresh(config_, layer_.frame);
-  const VoxelColumns columns = VoxelColumns::of(map.tree());
+  fresh.storey_ = storey_;
   fresh.apply(columns, columns.knownColumns());
   fresh.queue_.shrink_to_fit();  // it held every cell
   const CellBox box = fresh.layer_.cells.box().including(layer_.cells.box());
@@ -130,7 +147,11 @@ const FreeSpace& FreeSpaceProjection::recompute(const OccupancyMap& map) {
   return layer_;
 }
 
-void FreeSpaceProjection::reset() { *this = FreeSpaceProjection(config_, layer_.frame); }
+void FreeSpaceProjection::reset() {
+  const VoxelRun storey = storey_;
+  *this = FreeSpaceProjection(config_, layer_.frame);
+  storey_ = storey;
+}
 
 std::size_t FreeSpaceProjection::memoryBytes() const {
   return layer_.cells.memoryBytes() + layer_.evidence.memoryBytes() + columns_.memoryBytes() +
@@ -160,26 +181,38 @@ void FreeSpaceProjection::cover(const CellBox& known_columns) {
   layer_.cells.cover(box);
 }
 
+void FreeSpaceProjection::read(Reading& reading, const Cell& cell) const {
+  reading.columns.read(cell, reading.bits);
+  if (storey_ == kAllHeights) return;
+  const int fall = static_cast<int>(std::ceil(kLeastFall_m / layer_.frame.resolution_m));
+  const int through = static_cast<int>(
+      std::ceil((kStoreyBelowFloor_m + kFloorThickness_m) / layer_.frame.resolution_m));
+  const VoxelRun below = reading.bits.nextFree(storey_.bottom - fall);
+  const bool opens_downwards = !below.empty() && below.bottom == storey_.bottom - fall &&
+                               below.top >= storey_.bottom + through;
+  reading.bits.keep(opens_downwards ? VoxelRun{} : storey_);
+}
+
 void FreeSpaceProjection::apply(const VoxelColumns& columns, const std::vector<Cell>& changed) {
   cover(boundsOf(changed));
   layer_.changed = {};
   layer_.gaps_changed = {};
   Reading reading{columns, evidenceHeights(config_.evidence, layer_.frame.resolution_m), {}};
   for (const Cell& cell : changed) {
-    columns.read(cell, reading.bits);
+    read(reading, cell);
     floors_.set(cell, shownFloor(reading.bits, needed_voxels_));
   }
   const std::vector<Cell>& moved_floors = floors_.update();
   for (const Cell& cell : changed) {
     if (floors_.hasMoved(cell)) continue;  // comes with its tile
-    columns.read(cell, reading.bits);
+    read(reading, cell);
     remeasure(reading, cell);
   }
   for (const Cell& tile : moved_floors) {
     for (int i = 0; i < kFloorTile_cells * kFloorTile_cells; ++i) {
       const Cell cell{kFloorTile_cells * tile.x + i % kFloorTile_cells,
                       kFloorTile_cells * tile.y + i / kFloorTile_cells};
-      columns.read(cell, reading.bits);
+      read(reading, cell);
       if (!reading.bits.empty()) remeasure(reading, cell);
     }
   }
@@ -237,7 +270,7 @@ std::int8_t FreeSpaceProjection::valueOf(Reading& reading, const Cell& cell) con
   }
   if (count == 0) return kUnknown;
 
-  reading.columns.read(cell, reading.bits);
+  read(reading, cell);
   int level = 0;
   for (std::size_t i = 0; i < count; ++i)
     level = std::max(level, obstacleLevel(reading.bits, free_beside[i]));

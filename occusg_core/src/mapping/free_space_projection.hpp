@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mapping/column_bits.hpp"
 #include "mapping/local_floor.hpp"
 #include "mapping/voxel_run.hpp"
 #include "occusg/geometry/tiled_grid.hpp"
@@ -21,6 +22,7 @@ class FreeSpaceProjection {
 
   const FreeSpace& update(const OccupancyMap& map, const MapChange& change);
   const FreeSpace& recompute(const OccupancyMap& map);
+  const FreeSpace& confine(const OccupancyMap& map, const HeightSpan& span);
   [[nodiscard]] bool canCover(const CellBox& box) const;
   [[nodiscard]] const FreeSpace& freeSpace() const { return layer_; }
   void reset();
@@ -39,7 +41,12 @@ class FreeSpaceProjection {
 
   void checkResolution(const OccupancyMap& map) const;
   void cover(const CellBox& known_columns);
+  /// Finds everything anew in `columns`.
+  const FreeSpace& rebuild(const VoxelColumns& columns);
+  /// The column as the storey sees it.
+  void read(Reading& reading, const Cell& cell) const;
   void apply(const VoxelColumns& columns, const std::vector<Cell>& changed);
+  /// @pre `reading` holds the column of `cell`.
   void remeasure(const Reading& reading, const Cell& cell);
   void queue(const Cell& cell);
   void evaluate(Reading& reading, const Cell& cell);
@@ -47,8 +54,9 @@ class FreeSpaceProjection {
   [[nodiscard]] VoxelRun heightsAt(std::int16_t floor) const;
 
   FreeSpaceLayerConfig config_;
-  int needed_voxels_;  ///< Length of the shortest run that counts.
-  VoxelRun heights_;   ///< Voxels between the height limits.
+  int needed_voxels_;              ///< Length of the shortest run that counts.
+  VoxelRun heights_;               ///< Voxels between the height limits.
+  VoxelRun storey_ = kAllHeights;  ///< Voxels that belong to the storey.
   LocalFloor floors_;
   TiledGrid<ColumnState> columns_;
   std::vector<Cell> queue_;  ///< Cells whose value must be found anew; empty between updates.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mapping/storey_finder.hpp"
+
 namespace occusg {
 namespace {
 
@@ -23,17 +25,42 @@ void add(PixelDrops& sum, const PixelDrops& drops) {
   sum.implausible += drops.implausible;
 }
 
+/// So far below a storey the voxels of a column matter to it (`FreeSpaceLayer::confine`).
+constexpr double kFall_m = 1.0;
+
+HeightSpan heightsSeen(const RangeImage& image, double resolution_m) {
+  double lowest_m = image.origin.z;
+  double highest_m = image.origin.z;
+  for (std::size_t i = 0; i < image.ends.size(); ++i) {
+    if (image.kinds[i] == RayEnd::kNone) continue;
+    lowest_m = std::min<double>(lowest_m, image.ends[i].z);
+    highest_m = std::max<double>(highest_m, image.ends[i].z);
+  }
+  return {lowest_m - resolution_m, highest_m + resolution_m};
+}
+
 }  // namespace
 
-MapPipeline::MapPipeline(const PipelineConfig& config)
+MapPipeline::MapPipeline(const PipelineConfig& config, Storeys storeys)
     : projector_(usable(config).depth),
       gate_(config.poses),
       occupancy_(config.occupancy),
-      free_space_(config.free_space, GridFrame{config.occupancy.resolution_m}) {}
+      finder_(storeys == Storeys::kFound
+                  ? std::make_unique<StoreyFinder>(config.occupancy.resolution_m)
+                  : nullptr),
+      storeys_(1),
+      layers_(1, FreeSpaceLayer(config.free_space, GridFrame{config.occupancy.resolution_m})),
+      changes_(1),
+      layer_config_(config.free_space) {}
+
+MapPipeline::MapPipeline(MapPipeline&&) noexcept = default;
+MapPipeline& MapPipeline::operator=(MapPipeline&&) noexcept = default;
+MapPipeline::~MapPipeline() = default;
 
 const FreeSpace& MapPipeline::startFrom(OccupancyMap map) {
-  const FreeSpace& layer = free_space_.recompute(map);
+  const FreeSpace& layer = layers_.front().recompute(map);
   occupancy_ = std::move(map);
+  note(0);
   return layer;
 }
 
@@ -48,7 +75,9 @@ FrameReport MapPipeline::process(const DepthFrame& frame) {
   report.verdict =
       timed(times_, Stage::kOccupancy, [&] { return insert(image, frame.stamp_s, change); });
   const FreeSpace& layer = timed(times_, Stage::kFreeSpace, [&]() -> const FreeSpace& {
-    return free_space_.update(occupancy_, change);
+    updateLayers(image, change);
+    if (report.hasUsablePose()) followStoreys(image.T_map_camera.translation());
+    return freeSpace();
   });
   report.changed = layer.changed;
   report.gaps_changed = layer.gaps_changed;
@@ -58,6 +87,47 @@ FrameReport MapPipeline::process(const DepthFrame& frame) {
   report.pixel_drops = image.drops;
   count(report);
   return report;
+}
+
+/// A frame changes voxels between its lowest and its highest ray alone.
+void MapPipeline::updateLayers(const RangeImage& image, const MapChange& change) {
+  if (layers_.size() == 1) {
+    layers_.front().update(occupancy_, change);
+    note(0);
+    return;
+  }
+  const HeightSpan seen = heightsSeen(image, occupancy_.config().resolution_m);
+  for (std::size_t storey = 0; storey < layers_.size(); ++storey) {
+    const HeightSpan& span = storeys_[storey].span;
+    const bool is_touched = seen.bottom_m < span.top_m && seen.top_m > span.bottom_m - kFall_m;
+    layers_[storey].update(occupancy_, is_touched ? change : MapChange{});
+    note(storey);
+  }
+}
+
+void MapPipeline::followStoreys(const Eigen::Vector3d& position) {
+  if (!finder_) return;
+  const bool is_new = finder_->observe(occupancy_.columns(), position);
+  if (finder_->storeys().empty()) return;
+  storeys_ = finder_->storeys();
+  current_ = finder_->current();
+  if (!is_new || storeys_.size() == 1) return;
+  layers_.resize(storeys_.size(), FreeSpaceLayer(layer_config_, layers_.front().freeSpace().frame));
+  changes_.resize(storeys_.size());
+  for (std::size_t storey = 0; storey < layers_.size(); ++storey) {
+    layers_[storey].confine(occupancy_, storeys_[storey].span);
+    note(storey);
+  }
+}
+
+void MapPipeline::note(std::size_t storey) {
+  const FreeSpace& layer = freeSpace(storey);
+  changes_[storey].cells = changes_[storey].cells.including(layer.changed);
+  changes_[storey].gaps = changes_[storey].gaps.including(layer.gaps_changed);
+}
+
+LayerChange MapPipeline::takeChange(std::size_t storey) {
+  return std::exchange(changes_[storey], LayerChange{});
 }
 
 void MapPipeline::count(const FrameReport& report) {
@@ -102,13 +172,15 @@ bool MapPipeline::staysInSpan(const Point3f& origin) const {
   box = box.including(Cell{cellAt(x + reach_m), cellAt(y + reach_m)});
   const double limit_m = kMapReach_cells * config.resolution_m;
   const bool is_outside = !(std::abs(x) < limit_m && std::abs(y) < limit_m);
-  return is_outside || free_space_.canCover(box);
+  return is_outside || layers_[current_].canCover(box);
 }
 
 StageTimes MapPipeline::times() const {
   StageTimes times = times_;
   times.setMemory(Stage::kOccupancy, occupancy_.memoryBytes());
-  times.setMemory(Stage::kFreeSpace, free_space_.memoryBytes());
+  std::size_t layers_bytes = 0;
+  for (const FreeSpaceLayer& layer : layers_) layers_bytes += layer.memoryBytes();
+  times.setMemory(Stage::kFreeSpace, layers_bytes);
   return times;
 }
 

@@ -31,20 +31,41 @@ const SceneGraph& RoomPipeline::update(const FreeSpace& layer, const CellBox& ch
 
 const SceneGraph& RoomPipeline::update(const MapView& map, const Pose& T_map_robot,
                                        double stamp_s) {
+  const TrackedRegions& tracked = track(map);
+  const SceneGraph& graph = timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
+    return graph_.update(tracked, T_map_robot, stamp_s, map);
+  });
+  count(tracked, stamp_s);
+  return graph;
+}
+
+const SceneGraph& RoomPipeline::updateUnattended(const MapView& map, double stamp_s) {
+  const TrackedRegions& tracked = track(map);
+  const SceneGraph& graph = timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
+    return graph_.updateUnattended(tracked, stamp_s, map);
+  });
+  count(tracked, stamp_s);
+  return graph;
+}
+
+const TrackedRegions& RoomPipeline::track(const MapView& map) {
   const Decomposition& decomposition =
       timed(times_, Stage::kDecomposition, [&]() -> const Decomposition& {
         return decomposer_->update(*map.layer, map.changed.including(map.gaps_changed));
       });
-  const TrackedRegions& tracked = timed(times_, Stage::kTracking, [&]() -> const TrackedRegions& {
-    return tracker_.update(decomposition);
-  });
-  const SceneGraph& graph = timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
-    return graph_.update(tracked, T_map_robot, stamp_s, map);
-  });
+  return timed(times_, Stage::kTracking,
+               [&]() -> const TrackedRegions& { return tracker_.update(decomposition); });
+}
+
+void RoomPipeline::count(const TrackedRegions& tracked, double stamp_s) {
   last_update_s_ = stamp_s;
   ++counts_.region_updates;
   counts_.rejected_region_updates += tracked.stale ? 1 : 0;
-  return graph;
+}
+
+void RoomPipeline::skipIdsOf(const SceneGraph& other) {
+  for (const NodeTypeInfo& type : kNodeTypes)
+    graph_.mutableGraph().skipIdsBefore(type.type, other.nextId(type.type));
 }
 
 void RoomPipeline::observePose(const Pose& T_map_robot, double stamp_s) {

@@ -29,7 +29,7 @@ class RoomAdjacency : public ::testing::Test {
   void maintain(std::vector<Crossing> crossings) {
     const auto regions =
         tracked({squareAt(1, 0.0), squareAt(2, 4.0), squareAt(3, 8.0)}, {}, std::move(crossings));
-    layer_.update(graph_, regions, {2.0, 2.0}, stamp_s_, Maintenance::kDue);
+    layer_.update(graph_, regions, Point2{2.0, 2.0}, stamp_s_, Maintenance::kDue);
     stamp_s_ += 1.0;
   }
   [[nodiscard]] const Edge* edge(int a, int b) const {
@@ -104,7 +104,7 @@ TEST_F(RoomAdjacency, ACrossingToARegionWithoutARoomIsNoAdjacency) {
   const auto regions =
       tracked({squareAt(1, 0.0), squareAt(2, 4.0), squareAt(3, 8.0), squareAt(4, 12.0)}, {},
               {{3, 4, {{12.0, 1.0}, {12.0, 2.0}}}, {3, 99, {{12.0, 1.0}, {12.0, 2.0}}}});
-  layer_.update(graph_, regions, {2.0, 2.0}, stamp_s_, Maintenance::kDue);
+  layer_.update(graph_, regions, Point2{2.0, 2.0}, stamp_s_, Maintenance::kDue);
   EXPECT_EQ(edgeCount(), 0U);
 }
 
@@ -139,7 +139,7 @@ TEST_F(RoomAdjacency, DoorsGoWithARoom) {
   const auto without_second =
       tracked({squareAt(1, 0.0), squareAt(3, 8.0)}, {}, std::vector<Crossing>{});
   for (int i = 0; i < 3; ++i) {
-    layer_.update(graph_, without_second, {2.0, 2.0}, stamp_s_, Maintenance::kDue);
+    layer_.update(graph_, without_second, Point2{2.0, 2.0}, stamp_s_, Maintenance::kDue);
     stamp_s_ += 1.0;
   }
   EXPECT_EQ(edgeCount(), 0U);

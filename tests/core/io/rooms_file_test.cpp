@@ -87,6 +87,27 @@ TEST(RoomsFile, WhatIsWrittenReadsBackAndWritesTheSameBytes) {
   EXPECT_EQ(again.rooms[1].polygon.holes, parsed(kTwoRooms).rooms[1].polygon.holes);
 }
 
+TEST(RoomsFile, StoreysAndTheRoomsOnThemReadBack) {
+  const RoomsFile file = parsed(R"({"storeys": [
+    {"id": 1, "floor_z": -2.8, "ceiling_z": -0.4, "name": "cellar"}, {"id": 0, "floor_z": 0.0}],
+    "rooms": [{"id": 3, "storey": 1, "polygon": [[0, 0], [4, 0], [4, 3]]},
+              {"id": 4, "storey": 0, "polygon": [[0, 0], [4, 0], [4, 3]]}]})");
+  ASSERT_EQ(file.storeys.size(), 2U);
+  EXPECT_EQ(file.storeys[0].id, 1);
+  EXPECT_EQ(file.storeys[0].floor_z_m, -2.8);
+  EXPECT_EQ(file.storeys[0].ceiling_z_m, -0.4);
+  EXPECT_FALSE(file.storeys[1].ceiling_z_m);
+  EXPECT_EQ(file.rooms[0].level, 1);
+  EXPECT_EQ(toJson(parsed(toJson(file))), toJson(file));
+  EXPECT_NE(toJson(file).find("\"storey\":1"), std::string::npos);
+}
+
+TEST(RoomsFile, StoreyThatAppearsTwiceIsRefused) {
+  EXPECT_TRUE(tells(parsingFails(R"({"rooms": [], "storeys": [{"id": 2, "floor_z": 0.0},
+                                                              {"id": 2, "floor_z": 3.0}]})"),
+                    {"r.json", "storey id 2"}));
+}
+
 TEST(RoomsFile, LabelThatIsNotUtf8StillWritesValidJson) {
   RoomsFile file;
   file.scene = "\xFF";

@@ -267,10 +267,11 @@ CellBox differingGaps(const FreeSpace& a, const FreeSpace& b) {
 /// Updates a layer frame by frame; each time it must equal the layer recomputed from the map.
 void expectUpdatesEqualRecompute(const std::vector<PointCloud>& frames,
                                  const OccupancyMapConfig& map_config,
-                                 const FreeSpaceLayerConfig& config) {
+                                 const FreeSpaceLayerConfig& config, const HeightSpan& span = {}) {
   const GridFrame frame{map_config.resolution_m};
   OccupancyMap map(map_config);
   FreeSpaceLayer updated(config, frame);
+  updated.confine(map, span);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     SCOPED_TRACE("frame " + std::to_string(i));
     const FreeSpace before = updated.freeSpace();
@@ -330,6 +331,33 @@ TEST(FreeSpaceLayer, UpdatesEqualRecomputeInARoomWhoseWallMoves) {
   expectUpdatesEqualRecompute(frames, map_config, config);
   config.height_reference = HeightReference::kLocalFloor;
   expectUpdatesEqualRecompute(frames, map_config, config);
+}
+
+TEST(FreeSpaceLayer, UpdatesOfAStoreyEqualItsRecompute) {
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    OccupancyMapConfig map_config;
+    map_config.max_range_m = 1.5;
+    std::vector<PointCloud> frames;
+    for (int frame = 0; frame < 24; ++frame)
+      frames.push_back(withMisses(randomCloud(60, random), 4));
+    expectUpdatesEqualRecompute(frames, map_config, {}, {0.1, seed % 2 == 0 ? 0.6 : kInf});
+  }
+}
+
+TEST(FreeSpaceLayer, ConfinedLayerShowsOneStorey) {
+  OccupancyMap map = emptyMap();
+  // A slab at voxel 30 with a hole in its middle, free space below and above it.
+  insertSlice(map, std::vector<std::string>(30, "......"), 0, 0);
+  insertSlice(map, {"##..##"}, 0, 30);
+  insertSlice(map, std::vector<std::string>(30, "......"), 0, 31);
+  FreeSpaceLayer upper({}, kFrame);
+  const FreeSpace& layer = upper.confine(map, {1.4, kInf});
+  EXPECT_EQ(valueAt(layer, {0, 0}), kFree);
+  EXPECT_EQ(valueAt(layer, {5, 0}), kFree);
+  EXPECT_NE(valueAt(layer, {2, 0}), kFree);
+  EXPECT_NE(valueAt(layer, {3, 0}), kFree);
 }
 
 TEST(FreeSpaceLayer, HeightLimitsFollowTheLocalFloor) {

@@ -53,6 +53,12 @@ class GraphBuilder {
   const SceneGraph& update(const TrackedRegions& tracked, const Pose& T_map_agent, double stamp_s,
                            const MapView& map);
 
+  /// The same for regions the robot is not in, as those of another storey are: nobody enters a room
+  /// and nothing is looked at for ghosts.
+  /// @throws Error when the stamp is not finite; the graph stays as it was.
+  const SceneGraph& updateUnattended(const TrackedRegions& tracked, double stamp_s,
+                                     const MapView& map);
+
   /// A pose between two updates: may become an agent.
   /// @throws Error when the pose or the stamp is not finite.
   void observePose(const Pose& T_map_agent, double stamp_s);
@@ -95,8 +101,8 @@ class GraphBuilder {
   struct Parts;
 
   void maintainFinally(double stamp_s, const MapView* map);
-  const SceneGraph& assemble(const TrackedRegions& tracked, const Pose& T_map_agent, double stamp_s,
-                             const MapView* map);
+  const SceneGraph& assemble(const TrackedRegions& tracked, const std::optional<Point2>& robot,
+                             double stamp_s, const MapView* map);
 
   std::unique_ptr<Parts> parts_;
 };

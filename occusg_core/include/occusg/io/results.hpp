@@ -18,12 +18,19 @@ struct ResultFile {
   std::string bytes;
 };
 
+/// A storey and its layer.
+struct StoreyLayer {
+  Storey storey;
+  const FreeSpace* layer = nullptr;  ///< Never null.
+};
+
 /// What a run has found, as its files show it.
 struct Findings {
   const FreeSpace& free_space;
   const SceneGraph& graph;
   double floor_z_m = 0.0;
   std::string scene;
+  std::vector<StoreyLayer> storeys = {};  ///< From the lowest up; empty where there is one alone.
 };
 
 /// The rooms the pipeline has now, with the doors between them.
@@ -33,8 +40,8 @@ struct Findings {
 [[nodiscard]] std::string timingJson(const StageTimes& times);
 
 /// Everything a run leaves behind but the 3D map: rooms, scene graph in our format, GraphML and
-/// Spark-DSG's, GeoJSON, the free-space map as map_server reads it, the overview picture, the
-/// timing.
+/// Spark-DSG's, GeoJSON, the free-space map as map_server reads it (in a building with several
+/// storeys one more for each, free_space_<storey>.pgm), the overview picture, the timing.
 [[nodiscard]] std::vector<ResultFile> resultFiles(const Findings& findings,
                                                   const StageTimes& times);
 /// The same and the 3D map as OctoMap reads it.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,19 @@
 
 namespace occusg {
 
+/// A storey as files carry it.
+struct StoreyRecord {
+  int id = 0;
+  double floor_z_m = 0.0;             ///< Map frame [m].
+  std::optional<double> ceiling_z_m;  ///< Map frame [m]; empty: not known.
+};
+
 /// A room as files carry it.
 struct RoomRecord {
   int id = 0;
   std::string label;
   Polygon polygon;  ///< Map frame [m].
-  int level = 0;    ///< Storey; rooms of different storeys may lie above each other.
+  int level = 0;    ///< Id of its storey; rooms of different storeys may lie above each other.
   std::vector<Polygon> further_parts = {};  ///< Of a room that is not in one piece.
 };
 
@@ -28,12 +36,14 @@ struct DoorRecord {
 
 /// `rooms.json`, prediction and ground truth alike:
 /// {"scene", "frame", "floor_z", "rooms": [{"id", "label", "polygon": [[x, y], ...], "holes"}],
-/// "doors": [{"rooms": [id, id], "segment": [[x, y], [x, y]]}]}. A room may also have "level", its
-/// storey, and "further_parts", a list of {"polygon", "holes"}.
+/// "doors": [{"rooms": [id, id], "segment": [[x, y], [x, y]]}]}. A room may also have "storey" (or
+/// "level"), the id of its storey, and "further_parts", a list of {"polygon", "holes"}. The file of
+/// a building with several storeys lists them: "storeys": [{"id", "floor_z", "ceiling_z"}].
 struct RoomsFile {
   std::string scene;
   std::string frame = "map";
-  double floor_z_m = 0.0;
+  double floor_z_m = 0.0;             ///< Of the lowest storey.
+  std::vector<StoreyRecord> storeys;  ///< From the lowest up; empty: the file names none.
   std::vector<RoomRecord> rooms;
   std::vector<DoorRecord> doors;
 };

@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "occusg/geometry/cell.hpp"
 #include "occusg/geometry/tiled_grid.hpp"
 #include "occusg/mapping/column_evidence.hpp"
 #include "occusg/mapping/free_space_cells.hpp"
 
 namespace occusg {
+
+/// Heights of the map frame [m]; all of them by default.
+struct HeightSpan {
+  double bottom_m = -std::numeric_limits<double>::infinity();
+  double top_m = std::numeric_limits<double>::infinity();
+  friend bool operator==(const HeightSpan& a, const HeightSpan& b) {
+    return a.bottom_m == b.bottom_m && a.top_m == b.top_m;
+  }
+  friend bool operator!=(const HeightSpan& a, const HeightSpan& b) { return !(a == b); }
+};
+
+/// The span of a storey begins so far beneath its floor, within the slab.
+inline constexpr double kStoreyBelowFloor_m = 0.15;
+
+/// One level of a building.
+struct Storey {
+  int id = 0;              ///< Storeys are numbered from 0 as they are found; never used again.
+  double floor_z_m = 0.0;  ///< Height of its floor in the map frame.
+  HeightSpan span;         ///< From within its slab, kStoreyBelowFloor_m, to within the slab above.
+};
 
 /// The 2D free-space layer.
 struct FreeSpace {

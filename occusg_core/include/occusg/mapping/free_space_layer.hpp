@@ -74,6 +74,11 @@ class FreeSpaceLayer {
   /// Recomputes everything from the tree: for a map that was loaded, and as the test oracle.
   const FreeSpace& recompute(const OccupancyMap& map);
 
+  /// From now on shows one storey: voxels beyond `span` do not count, and a column that is free
+  /// from the storey down to a fall of at least 0.8 m, as over a stairwell or a hall, is unknown.
+  /// @throws Error as `recompute`.
+  const FreeSpace& confine(const OccupancyMap& map, const HeightSpan& span);
+
   /// Whether the layer stays within kMaxLayerCells when columns of `box` become known.
   [[nodiscard]] bool canCover(const CellBox& box) const;
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <vector>
 
 #include "occusg/mapping/free_space_layer.hpp"
 #include "occusg/mapping/occupancy_map.hpp"
@@ -32,11 +34,28 @@ struct MapCounts {
   }
 };
 
+class StoreyFinder;
+
+/// Whether a building may have more than one free-space layer.
+enum class Storeys {
+  kOne,   ///< One layer, whatever heights the camera gets to.
+  kFound  ///< A layer for every storey that the camera reached.
+};
+
+/// What differs in a storey's layer since it was asked for the last time.
+struct LayerChange {
+  CellBox cells;  ///< Bounds of the cells with another value.
+  CellBox gaps;   ///< Bounds of the cells with another gap.
+};
+
 /// Depth frames -> occupancy map and free space: the half of the pipeline that needs a camera.
 class MapPipeline {
  public:
   /// @throws Error when the configuration breaks a rule.
-  explicit MapPipeline(const PipelineConfig& config);
+  explicit MapPipeline(const PipelineConfig& config, Storeys storeys = Storeys::kOne);
+  MapPipeline(MapPipeline&&) noexcept;
+  MapPipeline& operator=(MapPipeline&&) noexcept;
+  ~MapPipeline();
 
   /// Continues from a saved map. In the layer, `changed` is what differs from before.
   /// @throws Error when the map is larger than the layer can be; the state is then as before.
@@ -48,7 +67,21 @@ class MapPipeline {
   FrameReport process(const DepthFrame& frame);
 
   [[nodiscard]] const OccupancyMap& occupancyMap() const { return occupancy_; }
-  [[nodiscard]] const FreeSpace& freeSpace() const { return free_space_.freeSpace(); }
+  /// The layer of the storey the camera is on.
+  [[nodiscard]] const FreeSpace& freeSpace() const { return freeSpace(current_); }
+
+  /// In the order of their ids; the first is there from the beginning.
+  [[nodiscard]] const std::vector<Storey>& storeys() const { return storeys_; }
+  /// Index of the storey the camera is on; on stairs, of the one it comes from.
+  [[nodiscard]] std::size_t currentStorey() const { return current_; }
+  /// @pre storey < storeys().size()
+  [[nodiscard]] const FreeSpace& freeSpace(std::size_t storey) const {
+    return layers_[storey].freeSpace();
+  }
+  /// What changed in the storey's layer since the last call.
+  /// @pre storey < storeys().size()
+  [[nodiscard]] LayerChange takeChange(std::size_t storey);
+
   [[nodiscard]] const MapCounts& counts() const { return counts_; }
   /// Durations so far, and the memory each stage's result holds now; walks the results.
   [[nodiscard]] StageTimes times() const;
@@ -60,11 +93,19 @@ class MapPipeline {
   /// @param change what the map made of the frame, where it was asked.
   [[nodiscard]] FrameVerdict insert(const RangeImage& image, double stamp_s, MapChange& change);
   void count(const FrameReport& report);
+  void updateLayers(const RangeImage& image, const MapChange& change);
+  void followStoreys(const Eigen::Vector3d& position);
+  void note(std::size_t storey);
 
   DepthProjector projector_;
   PoseGate gate_;
   OccupancyMap occupancy_;
-  FreeSpaceLayer free_space_;
+  std::unique_ptr<StoreyFinder> finder_;  ///< Null where one layer is asked for.
+  std::vector<Storey> storeys_;           ///< At least one.
+  std::vector<FreeSpaceLayer> layers_;    ///< By storey.
+  std::vector<LayerChange> changes_;      ///< By storey, not yet taken.
+  std::size_t current_ = 0;
+  FreeSpaceLayerConfig layer_config_;
   MapCounts counts_;
   StageTimes times_;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/detection_builder.hpp"
@@ -39,7 +40,8 @@ struct PipelineCounts : MapCounts, RoomCounts {
 ///     for (const auto& [id, room] : pipeline.graph().nodes(NodeType::kRoom)) ...
 class Pipeline {
  public:
-  /// @param decomposer cuts free space into regions; none: the one `config` names.
+  /// @param decomposer cuts free space into regions, and keeps the whole building on one layer;
+  /// none: the one `config` names, for every storey.
   /// @throws Error when the configuration breaks a rule.
   explicit Pipeline(const PipelineConfig& config, std::unique_ptr<Decomposer> decomposer = nullptr);
 
@@ -54,7 +56,7 @@ class Pipeline {
   void resume(Session session);
   /// What to save beside `occupancyMap()` so that another pipeline can continue from here; to be
   /// taken before `finish`, which decides what only an end decides.
-  /// @throws Error when there was no frame.
+  /// @throws Error when there was no frame, or the building has several storeys.
   [[nodiscard]] SessionState sessionState(const std::string& scene) const;
 
   /// Takes one frame through the stages: cloud, occupancy and free space always; regions and graph
@@ -70,37 +72,50 @@ class Pipeline {
 
   /// Gives a room a label that stays; an empty one returns to the automatic label.
   /// @throws Error when there is no such room or the label cannot be one.
-  void setRoomLabel(NodeId room, const std::string& label) { rooms_.setRoomLabel(room, label); }
+  void setRoomLabel(NodeId room, const std::string& label);
 
   /// Brings regions and rooms up to date with the last frame. Call once, at the end.
   void finish();
 
   [[nodiscard]] const PipelineConfig& config() const { return config_; }
   [[nodiscard]] const OccupancyMap& occupancyMap() const { return map_.occupancyMap(); }
+  /// Of the storey the camera is on.
   [[nodiscard]] const FreeSpace& freeSpace() const { return map_.freeSpace(); }
-  [[nodiscard]] const TrackedRegions& regions() const { return rooms_.regions(); }
-  [[nodiscard]] const SceneGraph& graph() const { return rooms_.graph(); }
-  [[nodiscard]] PipelineCounts counts() const {
-    return {map_.counts(), rooms_.counts(), refused_masks_};
+  /// Of the storey the camera is on.
+  [[nodiscard]] const TrackedRegions& regions() const {
+    return rooms_[map_.currentStorey()].regions();
   }
+  /// Of all storeys.
+  [[nodiscard]] const SceneGraph& graph() const;
+  /// In the order of their ids; `Node::floor_id` names one. At least one.
+  [[nodiscard]] const std::vector<Storey>& storeys() const { return map_.storeys(); }
+  /// @param storey index in `storeys()`.
+  [[nodiscard]] const FreeSpace& freeSpace(std::size_t storey) const {
+    return map_.freeSpace(storey);
+  }
+  [[nodiscard]] PipelineCounts counts() const;
   /// Durations so far, and the memory each stage's result holds now.
   [[nodiscard]] StageTimes times() const;
 
  private:
   void checkStamp(const DepthFrame& frame) const;
   FrameReport takeIn(const DepthFrame& frame, const DetectionResult& objects);
-  [[nodiscard]] MapView mapView(const CellBox& changed, const CellBox& gaps_changed) const;
+  [[nodiscard]] MapView mapView(std::size_t storey, const LayerChange& change) const;
   void updateRooms(const Pose& T_map_camera, double stamp_s);
+  void updateRoomsOf(std::size_t storey, const Pose& T_map_camera, double stamp_s);
+  void followStoreys();
+  void observeObjects(const std::vector<Detection>& detections, double stamp_s);
+  void skipIdsOfOthers(std::size_t storey);
   [[nodiscard]] bool roomsAreDue(double stamp_s) const;
 
   PipelineConfig config_;
   DetectionBuilder detection_builder_;
   MapPipeline map_;
-  RoomPipeline rooms_;
-
-  CellBox changed_since_rooms_;       ///< Free-space cells `rooms_` has not seen yet.
-  CellBox gaps_changed_since_rooms_;  ///< Cells whose gap it has not seen yet.
+  std::vector<RoomPipeline> rooms_;   ///< By storey.
+  std::vector<double> changed_at_s_;  ///< By storey: when its layer changed last.
+  std::optional<double> last_room_update_s_;
   std::optional<double> last_stamp_s_;
+  mutable std::optional<SceneGraph> building_;  ///< Of all storeys, while nothing changes.
   Pose last_pose_ = Pose::Identity();
   RefusedMasks refused_masks_;
   StageTimes totals_;  ///< Of whole frames.

@@ -54,6 +54,12 @@ class RoomPipeline {
   /// The same with the 3D map the layer is from, which shows the objects that are gone.
   const SceneGraph& update(const MapView& map, const Pose& T_map_robot, double stamp_s);
 
+  /// The same while the robot is on another storey.
+  const SceneGraph& updateUnattended(const MapView& map, double stamp_s);
+
+  /// The nodes that come get ids beyond those of `other`, so that both can be put into one graph.
+  void skipIdsOf(const SceneGraph& other);
+
   /// Detections of a frame, between two updates; what cannot be used is left out and counted.
   /// @throws Error when the stamp is not finite.
   void observeObjects(const std::vector<Detection>& detections, double stamp_s);
@@ -92,6 +98,9 @@ class RoomPipeline {
   [[nodiscard]] const StageTimes& durations() const { return times_; }
 
  private:
+  const TrackedRegions& track(const MapView& map);
+  void count(const TrackedRegions& tracked, double stamp_s);
+
   std::unique_ptr<Decomposer> decomposer_;
   RegionTracker tracker_;
   GraphBuilder graph_;

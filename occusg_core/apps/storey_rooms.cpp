@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "storey_rooms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace occusg::apps {
+namespace {
+
+/// Floors that lie farther apart are of different storeys.
+constexpr double kSameFloor_m = 1.0;
+/// Between storeys put side by side; beyond what an alignment may shift.
+constexpr double kApart_m = 1000.0;
+
+StoreyRooms* storeyNear(std::vector<StoreyRooms>& storeys, double floor_z_m, double most_m) {
+  StoreyRooms* nearest = nullptr;
+  for (StoreyRooms& storey : storeys) {
+    const double apart_m = std::abs(storey.floor_z_m - floor_z_m);
+    if (apart_m > most_m) continue;
+    if (nearest == nullptr || apart_m < std::abs(nearest->floor_z_m - floor_z_m)) nearest = &storey;
+  }
+  return nearest;
+}
+
+/// The width of all rooms together [m].
+double widthOf(const std::vector<StoreyRooms>& storeys) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const StoreyRooms& storey : storeys) {
+    for (const auto* rooms : {&storey.predicted, &storey.truth})
+      for (const EvaluatedRoom& room : *rooms)
+        for (const Polygon& part : room.parts)
+          for (const Point2& point : part.outer) {
+            low = std::min(low, point.x);
+            high = std::max(high, point.x);
+          }
+  }
+  return std::max(0.0, high - low);
+}
+
+}  // namespace
+
+std::vector<StoreyRooms> byStorey(const std::vector<RoomOnStorey>& predicted,
+                                  const std::vector<RoomOnStorey>& truth) {
+  std::vector<StoreyRooms> storeys;
+  for (const RoomOnStorey& room : truth) {
+    StoreyRooms* storey = storeyNear(storeys, room.floor_z_m, 0.0);
+    if (storey == nullptr)
+      storey = &storeys.emplace_back(StoreyRooms{room.floor_z_m, true, {}, {}});
+    storey->truth.push_back(room.room);
+  }
+  std::vector<StoreyRooms> further;
+  for (const RoomOnStorey& room : predicted) {
+    StoreyRooms* storey = storeyNear(storeys, room.floor_z_m, kSameFloor_m);
+    if (storey == nullptr) storey = storeyNear(further, room.floor_z_m, 0.0);
+    if (storey == nullptr)
+      storey = &further.emplace_back(StoreyRooms{room.floor_z_m, false, {}, {}});
+    storey->predicted.push_back(room.room);
+  }
+  storeys.insert(storeys.end(), further.begin(), further.end());
+  std::sort(storeys.begin(), storeys.end(),
+            [](const StoreyRooms& a, const StoreyRooms& b) { return a.floor_z_m < b.floor_z_m; });
+  return storeys;
+}
+
+StoreyRooms sideBySide(const std::vector<StoreyRooms>& storeys) {
+  const double step_m = widthOf(storeys) + kApart_m;
+  StoreyRooms all;
+  for (std::size_t i = 0; i < storeys.size(); ++i) {
+    const Point2 shift{step_m * static_cast<double>(i), 0.0};
+    for (const EvaluatedRoom& room : storeys[i].predicted)
+      all.predicted.push_back(translated(room, shift));
+    for (const EvaluatedRoom& room : storeys[i].truth) all.truth.push_back(translated(room, shift));
+  }
+  return all;
+}
+
+}  // namespace occusg::apps

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/storey_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mapping/voxel_columns.hpp"
+
+namespace occusg {
+namespace {
+
+/// How far the robot moves, or how many frames it takes, before its level is looked at again.
+constexpr double kStep_m = 0.2;
+constexpr std::size_t kFramesOnTheSpot = 8;
+/// Columns within this distance are looked at, one in this spacing.
+constexpr double kReach_m = 2.5;
+constexpr double kSpacing_m = 0.15;
+/// A floor lies so far below a sensor, whether a robot or a person carries it.
+constexpr double kHighestSensor_m = 2.5;
+constexpr double kLowestSensor_m = 0.1;
+/// By so much the height of a sensor above the floor varies.
+constexpr double kSensorSway_m = 0.5;
+/// What is free above a floor.
+constexpr double kHeadroom_m = 0.5;
+/// Two floors of one storey differ by at most this: a few steps, or the drift of a pose.
+constexpr double kSameStorey_m = 0.8;
+constexpr double kLeastFloor_m2 = 4.0;
+constexpr double kLeastPath_m = 2.0;
+/// No landing is so large that it needs no path.
+constexpr double kAmpleFloor_m2 = 8.0;
+constexpr std::size_t kLeastLooks = 3;
+/// Older heights of the sensor fade after so many.
+constexpr std::size_t kRememberedHeights = 100;
+/// A height that differs by more was taken on the way to another storey.
+constexpr double kHeightNoise_m = 0.25;
+
+/// Calls `visit` with the height of every floor of `column` between the heights.
+template <typename Visit>
+void forEachFloor(const ColumnBits& column, const VoxelRun& heights, int headroom,
+                  const Visit& visit) {
+  for (VoxelRun run = column.nextFree(heights.bottom); !run.empty();
+       run = column.nextFree(run.top)) {
+    if (run.bottom >= heights.top) return;
+    const bool stands_on_something = column.occupiedIn({run.bottom - 1, run.bottom}) == 1;
+    if (stands_on_something && run.length() >= headroom) visit(run.bottom);
+  }
+}
+
+}  // namespace
+
+bool StoreyFinder::observe(const VoxelColumns& columns, const Eigen::Vector3d& position) {
+  ++frames_on_the_spot_;
+  const bool has_moved = !last_position_ || (position - *last_position_).norm() >= kStep_m;
+  if (!has_moved && frames_on_the_spot_ < kFramesOnTheSpot) return false;
+  last_position_ = position;
+  frames_on_the_spot_ = 0;
+  const std::optional<Level> level = levelNear(columns, position);
+  if (!level) return false;
+  if (const std::optional<std::size_t> storey = storeyAt(level->z_m)) {
+    standOn(*storey, *level, position.z());
+    return false;
+  }
+  if (!isStorey(*level, position)) return false;
+  add(level->z_m);
+  standOn(storeys_.size() - 1, *level, position.z());
+  return true;
+}
+
+std::optional<StoreyFinder::Level> StoreyFinder::levelNear(const VoxelColumns& columns,
+                                                           const Eigen::Vector3d& position) {
+  const bool height_is_known = !storeys_.empty();
+  const double lowest_m = height_is_known ? sensor_height_m_ + kSensorSway_m : kHighestSensor_m;
+  const double highest_m = height_is_known
+                               ? std::max(kLowestSensor_m, sensor_height_m_ - kSensorSway_m)
+                               : kLowestSensor_m;
+  const VoxelRun heights{static_cast<int>(std::floor((position.z() - lowest_m) / resolution_m_)),
+                         static_cast<int>(std::ceil((position.z() - highest_m) / resolution_m_))};
+  const int headroom = static_cast<int>(std::ceil(kHeadroom_m / resolution_m_));
+  const GridFrame frame{resolution_m_};
+  std::map<int, std::size_t> columns_at;
+  const int steps = static_cast<int>(kReach_m / kSpacing_m);
+  for (int j = -steps; j <= steps; ++j) {
+    for (int i = -steps; i <= steps; ++i) {
+      if (i * i + j * j > steps * steps) continue;
+      columns.read(
+          frame.cellAt(Point2{position.x() + i * kSpacing_m, position.y() + j * kSpacing_m}),
+          bits_);
+      forEachFloor(bits_, heights, headroom, [&](int height) { ++columns_at[height]; });
+    }
+  }
+  std::optional<Level> best;
+  for (const auto& [height, count] : columns_at) {
+    const auto above = columns_at.find(height + 1);
+    const std::size_t both = count + (above == columns_at.end() ? 0 : above->second);
+    const double area_m2 = static_cast<double>(both) * kSpacing_m * kSpacing_m;
+    const int most = above != columns_at.end() && above->second > count ? height + 1 : height;
+    if (!best || area_m2 > best->area_m2) best = Level{most * resolution_m_, area_m2};
+  }
+  return best;
+}
+
+std::optional<std::size_t> StoreyFinder::storeyAt(double z_m) const {
+  const auto nearest =
+      std::min_element(storeys_.begin(), storeys_.end(), [z_m](const Storey& a, const Storey& b) {
+        return std::abs(a.floor_z_m - z_m) < std::abs(b.floor_z_m - z_m);
+      });
+  if (nearest == storeys_.end() || std::abs(nearest->floor_z_m - z_m) > kSameStorey_m)
+    return std::nullopt;
+  return static_cast<std::size_t>(nearest - storeys_.begin());
+}
+
+void StoreyFinder::standOn(std::size_t storey, const Level& level, double sensor_z_m) {
+  current_ = storey;
+  candidate_.reset();
+  const double height_m = sensor_z_m - level.z_m;
+  const bool is_usual = heights_ == 0 || std::abs(height_m - sensor_height_m_) <= kHeightNoise_m;
+  if (level.area_m2 < kLeastFloor_m2 || !is_usual) return;
+  heights_ = std::min(heights_ + 1, kRememberedHeights);
+  sensor_height_m_ += (height_m - sensor_height_m_) / static_cast<double>(heights_);
+}
+
+bool StoreyFinder::isStorey(const Level& level, const Eigen::Vector3d& position) {
+  if (level.area_m2 < kLeastFloor_m2) return false;
+  if (storeys_.empty()) return true;
+  if (!candidate_ || std::abs(candidate_->z_m - level.z_m) > 2.0 * resolution_m_)
+    candidate_ = Candidate{level.z_m, 0, {}};
+  ++candidate_->looks;
+  candidate_->path.extend(position.head<2>());
+  const bool is_ample =
+      level.area_m2 >= kAmpleFloor_m2 || candidate_->path.diagonal().norm() >= kLeastPath_m;
+  return candidate_->looks >= kLeastLooks && is_ample;
+}
+
+void StoreyFinder::add(double floor_z_m) {
+  storeys_.push_back({static_cast<int>(storeys_.size()), floor_z_m, {}});
+  std::vector<Storey*> by_height;
+  for (Storey& storey : storeys_) by_height.push_back(&storey);
+  std::sort(by_height.begin(), by_height.end(),
+            [](const Storey* a, const Storey* b) { return a->floor_z_m < b->floor_z_m; });
+  for (std::size_t i = 1; i < by_height.size(); ++i) {
+    const double boundary_m = by_height[i]->floor_z_m - kStoreyBelowFloor_m;
+    by_height[i - 1]->span.top_m = boundary_m;
+    by_height[i]->span.bottom_m = boundary_m;
+  }
+}
+
+}  // namespace occusg

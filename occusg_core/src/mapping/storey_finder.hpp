@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "mapping/column_bits.hpp"
+#include "occusg/mapping/free_space.hpp"
+
+namespace occusg {
+
+class VoxelColumns;
+
+/// Finds the storeys of a building from the heights at which a robot had a floor around it.
+///
+/// The level near a pose is the height, at the sensor's usual height below it, at which most of the
+/// columns within 2.5 m show a floor. Where that lies within 0.8 m of a storey's floor the robot is
+/// on that storey: steps, ramps and drift do not make another one. Elsewhere it is a new storey
+/// once the robot has 8 m2 of it around, or 4 m2 and has moved over 2 m of it: landings of stairs
+/// offer neither.
+///
+///     StoreyFinder finder(0.05);
+///     if (finder.observe(map.columns(), camera)) // the spans of finder.storeys() are others
+class StoreyFinder {
+ public:
+  /// @param resolution_m of the map.
+  explicit StoreyFinder(double resolution_m) : resolution_m_(resolution_m) {}
+
+  /// Takes a pose of the sensor, after the map has taken in what it saw from there.
+  /// @param position in the map frame [m].
+  /// @return whether a storey was found.
+  bool observe(const VoxelColumns& columns, const Eigen::Vector3d& position);
+
+  /// In the order of their ids. Empty until a floor was seen.
+  [[nodiscard]] const std::vector<Storey>& storeys() const { return storeys_; }
+  /// Index of the storey the robot is on, or was on last; 0 before there is one.
+  [[nodiscard]] std::size_t current() const { return current_; }
+
+ private:
+  /// A level floor near a pose.
+  struct Level {
+    double z_m = 0.0;
+    double area_m2 = 0.0;
+  };
+
+  /// A level that may be a storey's.
+  struct Candidate {
+    double z_m = 0.0;
+    std::size_t looks = 0;
+    Eigen::AlignedBox2d path;  ///< Where the robot was on it [m].
+  };
+
+  [[nodiscard]] std::optional<Level> levelNear(const VoxelColumns& columns,
+                                               const Eigen::Vector3d& position);
+  /// Index of the storey whose floor is nearest; empty when none is near.
+  [[nodiscard]] std::optional<std::size_t> storeyAt(double z_m) const;
+  void standOn(std::size_t storey, const Level& level, double sensor_z_m);
+  [[nodiscard]] bool isStorey(const Level& level, const Eigen::Vector3d& position);
+  void add(double floor_z_m);
+
+  double resolution_m_;
+  std::vector<Storey> storeys_;
+  std::size_t current_ = 0;
+  std::optional<Candidate> candidate_;
+  std::optional<Eigen::Vector3d> last_position_;  ///< Of the last look.
+  std::size_t frames_on_the_spot_ = 0;            ///< Since the last look.
+  double sensor_height_m_ = 0.0;  ///< Mean height above the floor, once there is a storey.
+  std::size_t heights_ = 0;       ///< How many went into it.
+  ColumnBits bits_;               ///< Reused between columns.
+};
+
+}  // namespace occusg
