@@ -130,11 +130,12 @@ void print(const RoomMetrics& metrics) {
 void print(const StoreyRooms& storey, const RoomMetricsOptions& options) {
   std::cout << "  storey at " << std::fixed << std::setprecision(2) << storey.floor_z_m << " m: ";
   if (!storey.is_annotated) {
-    std::cout << storey.predicted.size() << " predicted rooms, none annotated there\n";
+    std::cout << "predicted rooms: " << storey.predicted.size() << ", none annotated there\n";
     return;
   }
   const RoomMetrics metrics = evaluateRooms(storey.predicted, storey.truth, options);
-  std::cout << metrics.n_truth << " annotated rooms, " << metrics.n_predicted << " predicted, F1";
+  std::cout << "annotated rooms: " << metrics.n_truth << ", predicted: " << metrics.n_predicted
+            << ", F1";
   for (const ThresholdMetrics& at : metrics.at)
     std::cout << "  " << std::setprecision(3) << at.f1 << " at " << std::setprecision(2)
               << at.threshold;

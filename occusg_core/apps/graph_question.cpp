@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "io/graph_json.hpp"
 #include "occusg/error.hpp"
 #include "occusg/graph/graph_query.hpp"
 
@@ -28,6 +29,12 @@ class Words {
 
   [[nodiscard]] bool atEnd() const { return next_ == words_.size(); }
   [[nodiscard]] std::size_t left() const { return words_.size() - next_; }
+  /// Whether "at" and the numbers of a place are all that is left, or nothing is.
+  [[nodiscard]] bool atPlace() const {
+    constexpr std::size_t kFewest = 3;
+    constexpr std::size_t kMost = 4;
+    return left() < kFewest || (left() <= kMost && words_[next_] == "at");
+  }
   [[nodiscard]] std::optional<std::string> take() {
     if (atEnd()) return std::nullopt;
     return words_[next_++];
@@ -45,11 +52,15 @@ class Words {
     return number;
   }
 
-  [[nodiscard]] std::optional<Point2> takePoint() {
+  /// Two numbers, or three where the next word is one too.
+  [[nodiscard]] std::optional<Place> takePlace() {
     const auto x = takeNumber<double>();
     const auto y = takeNumber<double>();
     if (!x || !y) return std::nullopt;
-    return Point2{*x, *y};
+    const std::size_t before_height = next_;
+    if (const auto z = takeNumber<double>()) return Place{*x, *y, *z};
+    next_ = before_height;
+    return Place{*x, *y};
   }
 
   /// All words that are left: a number, an id, a name or a label.
@@ -66,22 +77,21 @@ class Words {
 };
 
 std::optional<GraphQuestion> way(Words& words) {
-  const auto from = words.takePoint();
+  const auto from = words.takePlace();
   const bool leads = words.takes("to");
-  const auto to = words.takePoint();
+  const auto to = words.takePlace();
   if (!from || !leads || !to) return std::nullopt;
   return WayQuestion{*from, *to};
 }
 
 std::optional<GraphQuestion> nearest(Words& words) {
-  constexpr std::size_t kWordsOfPlace = 3;
   std::string class_name;
-  while (words.left() > kWordsOfPlace)
+  while (!words.atPlace())
     class_name += (class_name.empty() ? "" : " ") + words.take().value_or("");
   const bool has_place = words.takes("at");
-  const auto point = words.takePoint();
-  if (class_name.empty() || !has_place || !point) return std::nullopt;
-  return NearestQuestion{class_name, *point};
+  const auto place = words.takePlace();
+  if (class_name.empty() || !has_place || !place) return std::nullopt;
+  return NearestQuestion{class_name, *place};
 }
 
 std::optional<GraphQuestion> understood(Words& words) {
@@ -90,8 +100,8 @@ std::optional<GraphQuestion> understood(Words& words) {
   if (first == "nearest") return nearest(words);
   const std::string second = words.take().value_or("");
   if (first == "room" && second == "at") {
-    const auto point = words.takePoint();
-    if (point) return RoomAtQuestion{*point};
+    const auto place = words.takePlace();
+    if (place) return RoomAtQuestion{*place};
   }
   if (first == "contents" && second == "of") {
     const auto room = words.takeRoom();
@@ -112,7 +122,7 @@ class Answer {
   }
 
   void operator()(const RoomAtQuestion& question) {
-    const std::optional<NodeId> room = roomAt(graph_, question.point);
+    const std::optional<NodeId> room = roomAt(graph_, question.place);
     if (room) {
       tellRoom(*room);
     } else {
@@ -129,6 +139,7 @@ class Answer {
     text_ << route->length_m << " m\n";
     for (const NodeId room : route->rooms) tellRoom(room);
     for (const NodeId door : route->doors) tellDoor(door);
+    for (const NodeId stairs : route->stairs) tellStairs(stairs);
   }
 
   void operator()(const ContentsQuestion& question) {
@@ -138,13 +149,13 @@ class Answer {
   }
 
   void operator()(const NearestQuestion& question) {
-    const auto object = nearestObject(graph_, question.class_name, question.point);
+    const auto object = nearestObject(graph_, question.class_name, question.place);
     if (!object) {
       text_ << "none\n";
       return;
     }
     tellObject(*object);
-    text_ << distance(graph_.at(*object).groundPosition(), question.point) << " m away\n";
+    text_ << distance(graph_.at(*object).groundPosition(), question.place.point) << " m away\n";
   }
 
   void operator()(const AdjacentQuestion& question) {
@@ -172,6 +183,14 @@ class Answer {
           << roomNumber(door.room_b) << '\n';
   }
 
+  void tellStairs(NodeId id) {
+    const Node& node = graph_.at(id);
+    const auto& stairs = std::get<StairsAttributes>(node.attributes);
+    text_ << nameOf(stairs.kind) << " at " << node.position.x() << ' ' << node.position.y() << ", "
+          << stairs.rise_m << " m high, from room " << roomNumber(stairs.lower_room)
+          << " up to room " << roomNumber(stairs.upper_room) << '\n';
+  }
+
   void tellObject(NodeId id) {
     const Node& node = graph_.at(id);
     const auto& object = std::get<ObjectAttributes>(node.attributes);
@@ -193,7 +212,8 @@ GraphQuestion questionIn(const std::string& text) {
   if (!question || !words.atEnd()) {
     throw UsageError("--query is '" + (text.empty() ? text : cell(text)) +
                      "'; allowed are 'room at X Y', 'way X Y to X Y', 'contents of ROOM', "
-                     "'nearest CLASS at X Y' and 'adjacent to ROOM', X and Y in metres");
+                     "'nearest CLASS at X Y' and 'adjacent to ROOM', X and Y in metres, with a "
+                     "third number for the height in a building with storeys");
   }
   return *question;
 }

@@ -5,23 +5,24 @@
 #include <variant>
 
 #include "occusg/geometry/polygon.hpp"
+#include "occusg/graph/graph_query.hpp"
 #include "occusg/graph/scene_graph.hpp"
 
 namespace occusg::apps {
 
 struct RoomAtQuestion {
-  Point2 point;
+  Place place;
 };
 struct WayQuestion {
-  Point2 from;
-  Point2 to;
+  Place from;
+  Place to;
 };
 struct ContentsQuestion {
   std::string room;  ///< Its number, id, name or label.
 };
 struct NearestQuestion {
   std::string class_name;
-  Point2 point;
+  Place place;
 };
 struct AdjacentQuestion {
   std::string room;  ///< Its number, id, name or label.
@@ -31,11 +32,13 @@ using GraphQuestion =
 
 /// The questions as a user writes them, for help texts.
 inline constexpr const char* kGraphQuestions =
-    "  room at X Y            the room that holds this point [m, map frame], or 'none'\n"
-    "  way X Y to X Y         the shortest way: its length, its rooms, and the doors between them\n"
+    "  room at X Y [Z]        the room that holds this point [m, map frame], or 'none'\n"
+    "  way X Y [Z] to X Y [Z] the shortest way: its length, its rooms, and the doors and stairs "
+    "between them\n"
     "  contents of ROOM       the objects in a room: its number, id, name (room_3) or label\n"
-    "  nearest CLASS at X Y   the object of a class that is nearest to a point, or 'none'\n"
-    "  adjacent to ROOM       the rooms beside a room, and the doors to them\n";
+    "  nearest CLASS at X Y [Z]  the object of a class that is nearest to a point, or 'none'\n"
+    "  adjacent to ROOM       the rooms beside a room, and the doors to them\n"
+    "In a building with storeys the height Z says on which storey a point is.\n";
 
 /// @throws UsageError when it is none of `kGraphQuestions`.
 [[nodiscard]] GraphQuestion questionIn(const std::string& text);

@@ -23,20 +23,30 @@ StoreyRooms* storeyNear(std::vector<StoreyRooms>& storeys, double floor_z_m, dou
   return nearest;
 }
 
-/// The width of all rooms together [m].
-double widthOf(const std::vector<StoreyRooms>& storeys) {
+/// Least and greatest x of rooms [m].
+struct Extent {
   double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const StoreyRooms& storey : storeys) {
-    for (const auto* rooms : {&storey.predicted, &storey.truth})
-      for (const EvaluatedRoom& room : *rooms)
-        for (const Polygon& part : room.parts)
-          for (const Point2& point : part.outer) {
-            low = std::min(low, point.x);
-            high = std::max(high, point.x);
-          }
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(const std::vector<EvaluatedRoom>& rooms) {
+    for (const EvaluatedRoom& room : rooms) {
+      for (const Polygon& part : room.parts) {
+        for (const Point2& point : part.outer) {
+          low = std::min(low, point.x);
+          high = std::max(high, point.x);
+        }
+      }
+    }
   }
-  return std::max(0.0, high - low);
+};
+
+double widthOf(const std::vector<StoreyRooms>& storeys) {
+  Extent extent;
+  for (const StoreyRooms& storey : storeys) {
+    extent.include(storey.predicted);
+    extent.include(storey.truth);
+  }
+  return std::max(0.0, extent.high - extent.low);
 }
 
 }  // namespace

@@ -94,6 +94,19 @@ done
 [ "$(ls one | wc -l)" -eq 11 ] || fail "files left over in the output folder"
 expect "eval" 0 "" eval one/rooms.json "$recording/rooms.json" --json metrics.json
 [ -s metrics.json ] || fail "eval --json wrote nothing"
+cat > truth_storeys.json << 'END'
+{"storeys": [{"id": 0, "floor_z": -2.8}, {"id": 1, "floor_z": 0.0}], "rooms": [
+ {"id": 1, "storey": 0, "polygon": [[0, 0], [4, 0], [4, 4], [0, 4]]},
+ {"id": 2, "storey": 1, "polygon": [[0, 0], [4, 0], [4, 4], [0, 4]]}]}
+END
+cat > storeys.json << 'END'
+{"storeys": [{"id": 0, "floor_z": 0.1}, {"id": 1, "floor_z": 3.0}], "rooms": [
+ {"id": 1, "storey": 0, "polygon": [[0, 0], [4, 0], [4, 4], [0, 4]]},
+ {"id": 2, "storey": 1, "polygon": [[0, 0], [4, 0], [4, 4], [0, 4]]}]}
+END
+expect "eval storey by storey" 0 "" eval storeys.json truth_storeys.json
+grep -q "storey at 3.00 m: predicted rooms: 1, none annotated there" out.txt || fail "eval: the storey without truth is not told"
+grep -q "0.50  0.500  0.500  0.500" out.txt || fail "eval: a room of another storey was matched"
 expect "eval of a missing file" 1 "nowhere.json" eval nowhere.json one/rooms.json
 
 # --- Bad input: one sentence that names the file

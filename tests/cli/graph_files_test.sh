@@ -44,7 +44,7 @@ grep -q "^door at .* m wide, between rooms " out.txt || fail "adjacent rooms: th
 expect "contents of a room there is not" 1 "has no room of id or number 77" show out/scene_graph.json --query "contents of 77"
 expect "adjacent rooms of a label there is not" 1 "has no room 'wine cellar'; its rooms are 1, " \
   show out/scene_graph.json --query "adjacent to wine cellar"
-for query in "way to the kitchen" "way 1 2 to 3" "nearest at 1 2" "contents of" "room at 1 2 3" ""; do
+for query in "way to the kitchen" "way 1 2 to 3" "nearest at 1 2" "contents of" "room at 1 2 3 4" ""; do
   expect "query '$query'" 2 "room at X Y" show out/scene_graph.json --query "$query"
 done
 expect "broken point" 2 "room at X Y" show out/scene_graph.json --query "room at 1"

@@ -20,14 +20,23 @@ namespace {
 constexpr double kLargestRoomOfAFlat_m2 = 150.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::optional<NodeId> nodeFor(const SceneGraph& graph, const Point2& point, double max_reach_m) {
-  const std::optional<NodeId> room = roomAt(graph, point);
+/// A floor so little above a height is the one that a foot at that height stands on.
+constexpr double kFloorAbove_m = 0.5;
+
+bool isOn(const Node& node, const std::optional<int>& storey) {
+  return !storey || node.floor_id == *storey;
+}
+
+std::optional<NodeId> nodeFor(const SceneGraph& graph, const Place& place, double max_reach_m) {
+  const std::optional<NodeId> room = roomAt(graph, place);
+  const std::optional<int> storey = storeyAt(graph, place);
   const auto inRoom = [&](const Node& node) { return graph.roomOf(node.id) == room; };
   if (room) {
-    const auto node = graph.nearest(NodeType::kNavigation, point, max_reach_m, inRoom);
+    const auto node = graph.nearest(NodeType::kNavigation, place.point, max_reach_m, inRoom);
     if (node) return node;
   }
-  return graph.nearest(NodeType::kNavigation, point, max_reach_m);
+  return graph.nearest(NodeType::kNavigation, place.point, max_reach_m,
+                       [&](const Node& node) { return isOn(node, storey); });
 }
 
 Point2 placeOf(const SceneGraph& graph, NodeId id) { return graph.at(id).groundPosition(); }
@@ -76,6 +85,27 @@ std::optional<NodeId> doorBetween(const SceneGraph& graph, NodeId a, NodeId b, c
   });
 }
 
+std::optional<NodeId> stairsBetween(const SceneGraph& graph, NodeId a, NodeId b) {
+  for (const auto& [id, node] : graph.nodes(NodeType::kStairs)) {
+    const auto& stairs = std::get<StairsAttributes>(node.attributes);
+    if (std::minmax(stairs.lower_room, stairs.upper_room) == std::minmax(a, b)) return id;
+  }
+  return std::nullopt;
+}
+
+double distanceBetween(const Node& a, const Node& b) { return (a.position - b.position).norm(); }
+
+/// The way leads into `room`, at `crossing`.
+void enter(const SceneGraph& graph, NodeId room, const Point2& crossing, Route& route) {
+  if (!route.rooms.empty()) {
+    if (const auto door = doorBetween(graph, route.rooms.back(), room, crossing))
+      route.doors.push_back(*door);
+    if (const auto stairs = stairsBetween(graph, route.rooms.back(), room))
+      route.stairs.push_back(*stairs);
+  }
+  route.rooms.push_back(room);
+}
+
 /// "its rooms are 1, 2 and 5", for a sentence.
 std::string roomsIn(const SceneGraph& graph) {
   constexpr std::size_t kShown = 20;
@@ -90,13 +120,30 @@ std::string roomsIn(const SceneGraph& graph) {
 
 }  // namespace
 
-std::optional<NodeId> roomAt(const SceneGraph& graph, const Point2& point, double tolerance_m) {
+std::optional<int> storeyAt(const SceneGraph& graph, const Place& place) {
+  if (!place.z_m) return std::nullopt;
+  const Node* best = nullptr;
+  const Node* lowest = nullptr;
+  for (const auto& [id, room] : graph.nodes(NodeType::kRoom)) {
+    const double floor_z_m = room.position.z();
+    if (lowest == nullptr || floor_z_m < lowest->position.z()) lowest = &room;
+    if (floor_z_m > *place.z_m + kFloorAbove_m) continue;
+    if (best == nullptr || floor_z_m > best->position.z()) best = &room;
+  }
+  if (best == nullptr) best = lowest;
+  return best == nullptr ? std::nullopt : std::optional(best->floor_id);
+}
+
+std::optional<NodeId> roomAt(const SceneGraph& graph, const Place& place, double tolerance_m) {
+  const Point2& point = place.point;
+  const std::optional<int> storey = storeyAt(graph, place);
   if (!std::isfinite(point.x) || !std::isfinite(point.y)) return std::nullopt;
   // Inside comes first, then the smaller room; outside the nearer one.
   std::optional<std::tuple<bool, double, NodeId>> best;
   for (const auto& [id, node] : graph.nodes(NodeType::kRoom)) {
     const auto& room = std::get<RoomAttributes>(node.attributes);
     if (room.polygon.outer.empty()) continue;
+    if (!isOn(node, storey)) continue;
     const double distance_m = distance(room.polygon, point);
     if (!(distance_m <= tolerance_m)) continue;
     const bool is_outside = distance_m > 0.0;
@@ -143,10 +190,12 @@ std::vector<NodeId> objectsIn(const SceneGraph& graph, NodeId room) {
 }
 
 std::optional<NodeId> nearestObject(const SceneGraph& graph, const std::string& class_name,
-                                    const Point2& point) {
+                                    const Place& place) {
   const std::string key = classKey(class_name);
-  return graph.nearest(NodeType::kObject, point, kInfinity, [&](const Node& node) {
-    return classKey(std::get<ObjectAttributes>(node.attributes).class_name) == key;
+  const std::optional<int> storey = storeyAt(graph, place);
+  return graph.nearest(NodeType::kObject, place.point, kInfinity, [&](const Node& node) {
+    return isOn(node, storey) &&
+           classKey(std::get<ObjectAttributes>(node.attributes).class_name) == key;
   });
 }
 
@@ -192,7 +241,7 @@ std::string doubtOnLargestRoom(const SceneGraph& graph) {
          "the depth images or the resolution of the map";
 }
 
-std::optional<Route> shortestRoute(const SceneGraph& graph, const Point2& from, const Point2& to,
+std::optional<Route> shortestRoute(const SceneGraph& graph, const Place& from, const Place& to,
                                    double max_reach_m) {
   const std::optional<NodeId> first = nodeFor(graph, from, max_reach_m);
   const std::optional<NodeId> last = nodeFor(graph, to, max_reach_m);
@@ -200,22 +249,22 @@ std::optional<Route> shortestRoute(const SceneGraph& graph, const Point2& from, 
   Route route;
   route.nodes = shortestWay(graph, *first, *last);
   if (route.nodes.empty()) return std::nullopt;
-  Point2 at = from;
+  const Node* before = nullptr;
   for (const NodeId id : route.nodes) {
-    const Point2 next = placeOf(graph, id);
-    route.length_m += distance(at, next);
+    const Node& node = graph.at(id);
+    const Point2 at = before == nullptr ? from.point : before->groundPosition();
+    route.length_m += before == nullptr ? distance(from.point, node.groundPosition())
+                                        : distanceBetween(*before, node);
     const std::optional<NodeId> room = graph.roomOf(id);
     if (room && (route.rooms.empty() || route.rooms.back() != *room)) {
-      const auto door = route.rooms.empty()
-                            ? std::nullopt
-                            : doorBetween(graph, route.rooms.back(), *room, midpoint({at, next}));
-      if (door) route.doors.push_back(*door);
-      route.rooms.push_back(*room);
+      enter(graph, *room, midpoint({at, node.groundPosition()}), route);
     }
-    at = next;
+    before = &node;
   }
   // Both places are beside one node: nobody walks there first.
-  route.length_m = route.nodes.size() == 1 ? distance(from, to) : route.length_m + distance(at, to);
+  route.length_m = route.nodes.size() == 1
+                       ? distance(from.point, to.point)
+                       : route.length_m + distance(before->groundPosition(), to.point);
   return route;
 }
 

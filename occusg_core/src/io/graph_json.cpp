@@ -27,6 +27,18 @@ const char* nameOf(LabelSource source) {
   return source == LabelSource::kPerson ? "person" : "automatic";
 }
 
+const char* nameOf(StairsKind kind) {
+  switch (kind) {
+    case StairsKind::kStairs:
+      return "stairs";
+    case StairsKind::kRamp:
+      return "ramp";
+    case StairsKind::kLift:
+      return "lift";
+  }
+  return "";
+}
+
 json jsonOf(const Eigen::Vector3d& point) {
   return json::array({rounded(point.x()), rounded(point.y()), rounded(point.z())});
 }

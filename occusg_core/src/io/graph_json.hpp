@@ -19,6 +19,8 @@ inline constexpr int kScoreDigits = 6;  ///< Of a score or share, behind the poi
 [[nodiscard]] const char* nameOf(RoomState state);
 /// "person" or "automatic".
 [[nodiscard]] const char* nameOf(LabelSource source);
+/// "stairs", "ramp" or "lift".
+[[nodiscard]] const char* nameOf(StairsKind kind);
 [[nodiscard]] nlohmann::json jsonOf(const Eigen::Vector3d& point);
 [[nodiscard]] nlohmann::json jsonOf(const Segment2& segment);
 /// {class: sum of scores}.

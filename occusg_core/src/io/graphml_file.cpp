@@ -110,6 +110,10 @@ struct AttributeData {
     return data("width", door.width_m) + data("room_a", "n" + std::to_string(door.room_a)) +
            data("room_b", "n" + std::to_string(door.room_b));
   }
+  std::string operator()(const StairsAttributes& stairs) const {
+    return data("room_a", "n" + std::to_string(stairs.lower_room)) +
+           data("room_b", "n" + std::to_string(stairs.upper_room));
+  }
 };
 
 std::string elementOf(const Node& node) {

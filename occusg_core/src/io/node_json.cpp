@@ -2,7 +2,9 @@
 #include "io/node_json.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,6 +54,17 @@ struct AttributeMembers {
     return {{"segment", jsonOf(door.segment)},
             {"width_m", rounded(door.width_m)},
             {"rooms", json::array({door.room_a, door.room_b})}};
+  }
+  json operator()(const StairsAttributes& stairs) const {
+    json path = json::array();
+    for (const Eigen::Vector3d& feet : stairs.path) path.push_back(jsonOf(feet));
+    return {{"kind", nameOf(stairs.kind)},
+            {"path", std::move(path)},
+            {"footprint", jsonOf(stairs.footprint)},
+            {"rise_m", rounded(stairs.rise_m)},
+            {"risers", stairs.risers},
+            {"storeys", json::array({stairs.lower_storey, stairs.upper_storey})},
+            {"rooms", json::array({stairs.lower_room, stairs.upper_room})}};
   }
 };
 
@@ -134,6 +147,32 @@ DoorAttributes doorOf(const Members& members) {
   return door;
 }
 
+/// Two whole numbers.
+std::pair<int, int> pairOf(const Members& members, const char* key) {
+  const json& values = arrayOf(members.at(key), members.placeOf(key));
+  if (values.size() != 2)
+    throw refuse(members.placeOf(key), "has " + std::to_string(values.size()) + " elements",
+                 "two whole numbers are needed");
+  return {integerOf(values[0], members.placeOf(key)), integerOf(values[1], members.placeOf(key))};
+}
+
+StairsAttributes stairsOf(const Members& members, RingReader& rings) {
+  constexpr std::size_t kLongestPath = 100'000;
+  StairsAttributes stairs;
+  stairs.kind = members.named("kind", {StairsKind::kStairs, StairsKind::kRamp, StairsKind::kLift});
+  const json& path = arrayOf(members.at("path"), members.placeOf("path"));
+  if (path.size() < 2 || path.size() > kLongestPath)
+    throw refuse(members.placeOf("path"), "has " + std::to_string(path.size()) + " points",
+                 "2 to " + std::to_string(kLongestPath) + " are needed");
+  for (const json& feet : path) stairs.path.push_back(vectorOf(members, feet, "path"));
+  stairs.footprint = rings.read(members.at("footprint"), members.placeOf("footprint"));
+  stairs.rise_m = members.number("rise_m");
+  stairs.risers = members.integerOr("risers", 0);
+  std::tie(stairs.lower_storey, stairs.upper_storey) = pairOf(members, "storeys");
+  std::tie(stairs.lower_room, stairs.upper_room) = pairOf(members, "rooms");
+  return stairs;
+}
+
 }  // namespace
 
 json jsonOf(const NodeAttributes& attributes) { return std::visit(AttributeMembers{}, attributes); }
@@ -161,6 +200,8 @@ NodeAttributes attributesIn(const Members& members, const Eigen::Vector3d& posit
       return roomOf(members, rings);
     case NodeType::kDoor:
       return doorOf(members);
+    case NodeType::kStairs:
+      return stairsOf(members, rings);
   }
   throw refuse(members.where(), "has an unknown type", "a node of this version is needed");
 }

@@ -90,6 +90,18 @@ json jsonOf(const std::vector<StoreyRecord>& storeys) {
   return values;
 }
 
+json jsonOf(const std::vector<StairsRecord>& stairs) {
+  json values = json::array();
+  for (const StairsRecord& one : stairs) {
+    values.push_back({{"kind", one.kind},
+                      {"rooms", json::array({one.lower_room, one.upper_room})},
+                      {"storeys", json::array({one.lower_storey, one.upper_storey})},
+                      {"risers", one.risers},
+                      {"footprint", jsonOf(one.footprint)}});
+  }
+  return values;
+}
+
 json jsonOf(const Polygon& polygon) {
   return {{"polygon", jsonOf(polygon.outer)}, {"holes", holesOf(polygon)}};
 }
@@ -176,6 +188,7 @@ std::string toJson(const RoomsFile& file) {
   if (!file.storeys.empty()) members.emplace_back("storeys", jsonOf(file.storeys));
   members.emplace_back("rooms", std::move(rooms));
   members.emplace_back("doors", std::move(doors));
+  if (!file.stairs.empty()) members.emplace_back("stairs", jsonOf(file.stairs));
   return jsonDocument(members);
 }
 

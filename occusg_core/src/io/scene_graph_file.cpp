@@ -107,6 +107,13 @@ RoomsFile roomsOf(const SceneGraph& graph, const std::string& scene, double floo
     for (const Segment2& crossing : edge.crossings)
       file.doors.push_back({roomNumber(edge.source), roomNumber(edge.target), crossing});
   }
+  const auto numberOf = [](NodeId room) { return room == 0 ? 0 : roomNumber(room); };
+  for (const auto& [id, node] : graph.nodes(NodeType::kStairs)) {
+    const auto& stairs = std::get<StairsAttributes>(node.attributes);
+    file.stairs.push_back({nameOf(stairs.kind), numberOf(stairs.lower_room),
+                           numberOf(stairs.upper_room), stairs.lower_storey, stairs.upper_storey,
+                           stairs.risers, stairs.footprint});
+  }
   return file;
 }
 

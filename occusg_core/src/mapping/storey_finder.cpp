@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "mapping/voxel_columns.hpp"
 
@@ -35,6 +38,56 @@ constexpr std::size_t kRememberedHeights = 100;
 /// A height that differs by more was taken on the way to another storey.
 constexpr double kHeightNoise_m = 0.25;
 
+/// Feet at most so far above or below a floor stand on it.
+constexpr double kOnFloor_m = 0.3;
+/// Two passages whose ends are nearer than this are the same one.
+constexpr double kSamePassage_m = 1.5;
+/// A passage that gets less far along is a lift.
+constexpr double kLiftRun_m = 1.0;
+/// A steeper passage has treads.
+constexpr double kSteepestRamp = 0.25;
+/// Feet that move farther between two looks were carried there.
+constexpr double kLongestStep_m = 2.0;
+/// Treads are looked for so far to the sides of the feet.
+constexpr double kHalfStairs_m = 0.45;
+constexpr double kLeastTread_m2 = 0.06;
+constexpr double kLowestRiser_m = 0.12;
+
+/// How many heights stand out, at least so far apart, with at least so many columns.
+int peaksIn(const std::vector<std::size_t>& columns_at, double apart, double least) {
+  int peaks = 0;
+  std::optional<std::size_t> last;
+  for (std::size_t height = 0; height < columns_at.size(); ++height) {
+    const std::size_t columns = columns_at[height];
+    const std::size_t below = height == 0 ? 0 : columns_at[height - 1];
+    const std::size_t above = height + 1 == columns_at.size() ? 0 : columns_at[height + 1];
+    const bool is_peak =
+        static_cast<double>(columns) >= least && columns > below && columns >= above;
+    if (!is_peak || (last && static_cast<double>(height - *last) < apart)) continue;
+    last = height;
+    ++peaks;
+  }
+  return peaks;
+}
+
+/// Horizontal length of a path [m].
+double runOf(const std::vector<Eigen::Vector3d>& path) {
+  double run_m = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) run_m += (path[i] - path[i - 1]).head<2>().norm();
+  return run_m;
+}
+
+StairsKind kindOf(const std::vector<Eigen::Vector3d>& path) {
+  const double run_m = runOf(path);
+  if (run_m < kLiftRun_m) return StairsKind::kLift;
+  const double rise_m = path.back().z() - path.front().z();
+  return rise_m > kSteepestRamp * run_m ? StairsKind::kStairs : StairsKind::kRamp;
+}
+
+bool areNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return (a - b).norm() <= kSamePassage_m;
+}
+
 /// Calls `visit` with the height of every floor of `column` between the heights.
 template <typename Visit>
 void forEachFloor(const ColumnBits& column, const VoxelRun& heights, int headroom,
@@ -56,15 +109,20 @@ bool StoreyFinder::observe(const VoxelColumns& columns, const Eigen::Vector3d& p
   last_position_ = position;
   frames_on_the_spot_ = 0;
   const std::optional<Level> level = levelNear(columns, position);
-  if (!level) return false;
-  if (const std::optional<std::size_t> storey = storeyAt(level->z_m)) {
-    standOn(*storey, *level, position.z());
+  if (!level) {
+    followFeet(columns, position);
     return false;
   }
-  if (!isStorey(*level, position)) return false;
-  add(level->z_m);
-  standOn(storeys_.size() - 1, *level, position.z());
-  return true;
+  bool is_new = false;
+  if (const std::optional<std::size_t> storey = storeyAt(level->z_m)) {
+    standOn(*storey, *level, position.z());
+  } else if (isStorey(*level, position)) {
+    add(level->z_m);
+    standOn(storeys_.size() - 1, *level, position.z());
+    is_new = true;
+  }
+  followFeet(columns, position);
+  return is_new;
 }
 
 std::optional<StoreyFinder::Level> StoreyFinder::levelNear(const VoxelColumns& columns,
@@ -118,6 +176,79 @@ void StoreyFinder::standOn(std::size_t storey, const Level& level, double sensor
   if (level.area_m2 < kLeastFloor_m2 || !is_usual) return;
   heights_ = std::min(heights_ + 1, kRememberedHeights);
   sensor_height_m_ += (height_m - sensor_height_m_) / static_cast<double>(heights_);
+}
+
+void StoreyFinder::followFeet(const VoxelColumns& columns, const Eigen::Vector3d& position) {
+  if (storeys_.empty() || heights_ == 0) return;
+  const Eigen::Vector3d feet = position - sensor_height_m_ * Eigen::Vector3d::UnitZ();
+  const bool was_carried =
+      !trail_.empty() && (feet - trail_.back()).head<2>().norm() > kLongestStep_m;
+  if (was_carried) {
+    trail_.clear();
+    stood_on_.reset();
+  }
+  trail_.push_back(feet);
+  if (std::abs(feet.z() - storeys_[current_].floor_z_m) > kOnFloor_m) return;
+  if (stood_on_ && *stood_on_ != current_) addPassage(columns, *stood_on_, current_);
+  stood_on_ = current_;
+  trail_.assign(1, feet);
+}
+
+/// The trail led from the one storey to the other.
+void StoreyFinder::addPassage(const VoxelColumns& columns, std::size_t from, std::size_t to) {
+  const double floor_m = storeys_[to].floor_z_m;
+  const auto arrival =
+      std::find_if(trail_.begin(), trail_.end(), [floor_m](const Eigen::Vector3d& feet) {
+        return std::abs(feet.z() - floor_m) <= kOnFloor_m;
+      });
+  StoreyPassage passage;
+  passage.path.assign(trail_.begin(), arrival == trail_.end() ? arrival : std::next(arrival));
+  std::size_t lower = from;
+  std::size_t upper = to;
+  if (storeys_[from].floor_z_m > storeys_[to].floor_z_m) {
+    std::swap(lower, upper);
+    std::reverse(passage.path.begin(), passage.path.end());
+  }
+  passage.lower_storey = storeys_[lower].id;
+  passage.upper_storey = storeys_[upper].id;
+  const bool is_known =
+      std::any_of(passages_.begin(), passages_.end(), [&passage](const StoreyPassage& known) {
+        return known.lower_storey == passage.lower_storey &&
+               known.upper_storey == passage.upper_storey &&
+               areNear(known.path.front(), passage.path.front()) &&
+               areNear(known.path.back(), passage.path.back());
+      });
+  if (is_known) return;
+  passage.kind = kindOf(passage.path);
+  if (passage.kind == StairsKind::kStairs) passage.risers = risersAlong(columns, passage.path);
+  passages_.push_back(std::move(passage));
+}
+
+/// Counts the treads near a path, by the heights at which many columns show one; the upper floor
+/// counts as the last.
+int StoreyFinder::risersAlong(const VoxelColumns& columns,
+                              const std::vector<Eigen::Vector3d>& path) {
+  const GridFrame frame{resolution_m_};
+  const int reach = static_cast<int>(std::ceil(kHalfStairs_m / resolution_m_));
+  std::set<Cell> cells;
+  for (const Eigen::Vector3d& feet : path) {
+    const Cell middle = frame.cellAt(Point2{feet.x(), feet.y()});
+    for (int y = -reach; y <= reach; ++y)
+      for (int x = -reach; x <= reach; ++x) cells.insert({middle.x + x, middle.y + y});
+  }
+  const auto heightOf = [this](const Eigen::Vector3d& feet) {
+    return static_cast<int>(std::lround(feet.z() / resolution_m_));
+  };
+  const VoxelRun between{heightOf(path.front()) + 2, heightOf(path.back()) + 3};
+  std::vector<std::size_t> columns_at(static_cast<std::size_t>(between.length()) + 1, 0);
+  for (const Cell& cell : cells) {
+    columns.read(cell, bits_);
+    forEachFloor(bits_, between, 1, [&](int height) {
+      ++columns_at[static_cast<std::size_t>(height - between.bottom)];
+    });
+  }
+  return peaksIn(columns_at, kLowestRiser_m / resolution_m_,
+                 kLeastTread_m2 / (resolution_m_ * resolution_m_));
 }
 
 bool StoreyFinder::isStorey(const Level& level, const Eigen::Vector3d& position) {

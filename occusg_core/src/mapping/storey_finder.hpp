@@ -35,6 +35,8 @@ class StoreyFinder {
 
   /// In the order of their ids. Empty until a floor was seen.
   [[nodiscard]] const std::vector<Storey>& storeys() const { return storeys_; }
+  /// The ways between storeys that the robot went, each once, whichever way it went.
+  [[nodiscard]] const std::vector<StoreyPassage>& passages() const { return passages_; }
   /// Index of the storey the robot is on, or was on last; 0 before there is one.
   [[nodiscard]] std::size_t current() const { return current_; }
 
@@ -57,6 +59,10 @@ class StoreyFinder {
   /// Index of the storey whose floor is nearest; empty when none is near.
   [[nodiscard]] std::optional<std::size_t> storeyAt(double z_m) const;
   void standOn(std::size_t storey, const Level& level, double sensor_z_m);
+  void followFeet(const VoxelColumns& columns, const Eigen::Vector3d& position);
+  void addPassage(const VoxelColumns& columns, std::size_t from, std::size_t to);
+  [[nodiscard]] int risersAlong(const VoxelColumns& columns,
+                                const std::vector<Eigen::Vector3d>& path);
   [[nodiscard]] bool isStorey(const Level& level, const Eigen::Vector3d& position);
   void add(double floor_z_m);
 
@@ -68,7 +74,10 @@ class StoreyFinder {
   std::size_t frames_on_the_spot_ = 0;            ///< Since the last look.
   double sensor_height_m_ = 0.0;  ///< Mean height above the floor, once there is a storey.
   std::size_t heights_ = 0;       ///< How many went into it.
-  ColumnBits bits_;               ///< Reused between columns.
+  std::vector<StoreyPassage> passages_;
+  std::optional<std::size_t> stood_on_;  ///< The storey whose floor was under the feet last.
+  std::vector<Eigen::Vector3d> trail_;   ///< Feet since then, that place first.
+  ColumnBits bits_;                      ///< Reused between columns.
 };
 
 }  // namespace occusg

@@ -3,10 +3,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
+
+#include "occusg/graph/graph_query.hpp"
 
 namespace occusg {
 namespace {
+
+constexpr double kHalfWidth_m = 0.45;
+/// The ends of a passage are so near to rooms and navigation nodes.
+constexpr double kEndReach_m = 2.0;
 
 /// Each storey numbers its regions from 1.
 constexpr int kRegionsOfAStorey = 10'000'000;
@@ -82,9 +89,57 @@ void assignToRooms(NodeType type, SceneGraph& building) {
   }
 }
 
+/// The stairs' outline: half a stair's width around its path.
+Ring outlineOf(const std::vector<Eigen::Vector3d>& path) {
+  Ring points;
+  for (const Eigen::Vector3d& feet : path) {
+    points.push_back({feet.x() - kHalfWidth_m, feet.y() - kHalfWidth_m});
+    points.push_back({feet.x() + kHalfWidth_m, feet.y() - kHalfWidth_m});
+    points.push_back({feet.x() - kHalfWidth_m, feet.y() + kHalfWidth_m});
+    points.push_back({feet.x() + kHalfWidth_m, feet.y() + kHalfWidth_m});
+  }
+  return convexHull(points);
+}
+
+NodeId roomAtEnd(const SceneGraph& building, const Eigen::Vector3d& feet) {
+  return roomAt(building, Place{feet.x(), feet.y(), feet.z()}, kEndReach_m).value_or(0);
+}
+
+std::optional<NodeId> navigationAtEnd(const SceneGraph& building, const Eigen::Vector3d& feet,
+                                      int storey) {
+  return building.nearest(NodeType::kNavigation, {feet.x(), feet.y()}, kEndReach_m,
+                          [storey](const Node& node) { return node.floor_id == storey; });
+}
+
+void addPassage(const StoreyPassage& passage, double stamp_s, SceneGraph& building) {
+  const Eigen::Vector3d& lower = passage.path.front();
+  const Eigen::Vector3d& upper = passage.path.back();
+  StairsAttributes stairs;
+  stairs.kind = passage.kind;
+  stairs.path = passage.path;
+  stairs.footprint = outlineOf(passage.path);
+  stairs.rise_m = upper.z() - lower.z();
+  stairs.risers = passage.risers;
+  stairs.lower_storey = passage.lower_storey;
+  stairs.upper_storey = passage.upper_storey;
+  stairs.lower_room = roomAtEnd(building, lower);
+  stairs.upper_room = roomAtEnd(building, upper);
+  const Eigen::Vector3d middle = passage.path[passage.path.size() / 2];
+  building.add(middle, stamp_s, std::move(stairs), passage.lower_storey);
+  const auto from = navigationAtEnd(building, lower, passage.lower_storey);
+  const auto to = navigationAtEnd(building, upper, passage.upper_storey);
+  if (from && to) building.connect({EdgeType::kTraversable, *from, *to, {}});
+}
+
+double lastStamp(const SceneGraph& building) {
+  const SceneGraph::NodeMap& agents = building.nodes(NodeType::kAgent);
+  return agents.empty() ? 0.0 : agents.rbegin()->second.last_seen_s;
+}
+
 }  // namespace
 
-SceneGraph buildingGraph(const std::vector<StoreyGraph>& storeys, double floor_z_m) {
+SceneGraph buildingGraph(const std::vector<StoreyGraph>& storeys,
+                         const std::vector<StoreyPassage>& passages, double floor_z_m) {
   SceneGraph building;
   for (const NodeTypeInfo& type : kNodeTypes) addNodes(type.type, storeys, floor_z_m, building);
   joinAgents(building);
@@ -93,6 +148,7 @@ SceneGraph buildingGraph(const std::vector<StoreyGraph>& storeys, double floor_z
     for (const StoreyGraph& storey : storeys) addEdges(type, *storey.graph, building);
   }
   for (const NodeType type : {NodeType::kAgent, NodeType::kObject}) assignToRooms(type, building);
+  for (const StoreyPassage& passage : passages) addPassage(passage, lastStamp(building), building);
   return building;
 }
 

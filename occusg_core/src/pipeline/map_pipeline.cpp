@@ -105,6 +105,11 @@ void MapPipeline::updateLayers(const RangeImage& image, const MapChange& change)
   }
 }
 
+const std::vector<StoreyPassage>& MapPipeline::passages() const {
+  static const std::vector<StoreyPassage> kNone;
+  return finder_ ? finder_->passages() : kNone;
+}
+
 void MapPipeline::followStoreys(const Eigen::Vector3d& position) {
   if (!finder_) return;
   const bool is_new = finder_->observe(occupancy_.columns(), position);

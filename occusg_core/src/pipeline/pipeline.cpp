@@ -202,7 +202,7 @@ const SceneGraph& Pipeline::graph() const {
     std::vector<StoreyGraph> graphs;
     for (std::size_t storey = 0; storey < rooms_.size(); ++storey)
       graphs.push_back({&rooms_[storey].graph(), storeys()[storey]});
-    building_ = buildingGraph(graphs, config_.graph.rooms.floor_z_m);
+    building_ = buildingGraph(graphs, map_.passages(), config_.graph.rooms.floor_z_m);
   }
   return *building_;
 }

@@ -8,6 +8,7 @@
 
 #include "error_sentence.hpp"
 #include "occusg/geometry/polygon_overlap.hpp"
+#include "occusg/graph/graph_query.hpp"
 #include "occusg/io/results.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 #include "occusg/pipeline/pipeline.hpp"
@@ -40,6 +41,13 @@ std::vector<RoomRecord> roomsOn(const RoomsFile& file, int storey) {
   for (const RoomRecord& room : file.rooms)
     if (room.level == storey) rooms.push_back(room);
   return rooms;
+}
+
+std::vector<StairsAttributes> stairsIn(const SceneGraph& graph) {
+  std::vector<StairsAttributes> stairs;
+  for (const auto& [id, node] : graph.nodes(NodeType::kStairs))
+    stairs.push_back(std::get<StairsAttributes>(node.attributes));
+  return stairs;
 }
 
 /// The greatest agreement of a room with the polygon.
@@ -86,6 +94,7 @@ TEST(Storeys, EveryNodeLiesOnTheStoreyThatItNames) {
     for (const auto& [id, node] : pipeline.graph().nodes(type.type)) {
       SCOPED_TRACE(std::string(type.name) + " " + std::to_string(id));
       const Storey& storey = pipeline.storeys().at(node.floor_id);
+      if (type.type == NodeType::kStairs) continue;  // between two of them
       if (type.type == NodeType::kAgent) {
         agents_upstairs += node.floor_id == 1 ? 1U : 0U;
         EXPECT_GE(node.position.z(), storey.span.bottom_m);
@@ -140,7 +149,65 @@ TEST(Storeys, LiftGivesAStoreyToo) {
   Tour tour(twoStoreyHouse());
   tour.to({1.9, 2.0, 0.0}).lookRound().to({1.9, 2.0, kUpperFloor_m}).lookRound();
   tour.to({6.2, 2.0, kUpperFloor_m}).lookRound();
-  EXPECT_EQ(carried(tour.frames()).storeys().size(), 2U);
+  const Pipeline pipeline = carried(tour.frames());
+  EXPECT_EQ(pipeline.storeys().size(), 2U);
+  const auto stairs = stairsIn(pipeline.graph());
+  ASSERT_EQ(stairs.size(), 1U);
+  EXPECT_EQ(stairs[0].kind, StairsKind::kLift);
+  EXPECT_EQ(stairs[0].risers, 0);
+}
+
+TEST(Storeys, ClimbedStairIsANodeThatJoinsTheRoomsAtItsEnds) {
+  const Pipeline pipeline = carried(tourOfBothStoreys());
+  const SceneGraph& graph = pipeline.graph();
+  const auto all = stairsIn(graph);
+  ASSERT_EQ(all.size(), 1U);
+  const StairsAttributes& stairs = all.front();
+  EXPECT_EQ(stairs.kind, StairsKind::kStairs);
+  EXPECT_NEAR(stairs.rise_m, kUpperFloor_m, 0.6);
+  EXPECT_GE(stairs.risers, 10);  // those of 15 that the camera saw
+  EXPECT_LE(stairs.risers, 15);
+  EXPECT_EQ(stairs.lower_storey, 0);
+  EXPECT_EQ(stairs.upper_storey, 1);
+  EXPECT_EQ(stairs.lower_room, roomAt(graph, Place{6.0, 1.0, 0.0}));
+  EXPECT_EQ(stairs.upper_room, roomAt(graph, Place{6.0, 1.0, kUpperFloor_m}));
+  EXPECT_TRUE(contains({stairs.footprint, {}}, {6.0, 3.4}));
+}
+
+TEST(Storeys, StairClimbedTwiceIsOneNode) {
+  Tour tour(twoStoreyHouse());
+  tour.to({6.2, 2.0, 0.0}).lookRound().to({4.35, 2.4, 0.0}).to({4.35, 3.4, 0.0});
+  tour.to({7.3, 3.4, kUpperFloor_m}).to({7.6, 1.8, kUpperFloor_m}).to({5.0, 1.8, kUpperFloor_m});
+  tour.to({7.6, 1.8, kUpperFloor_m}).to({7.3, 3.4, kUpperFloor_m}).to({4.35, 3.4, 0.0});
+  tour.to({4.35, 2.4, 0.0}).to({6.2, 2.0, 0.0});
+  EXPECT_EQ(stairsIn(carried(tour.frames()).graph()).size(), 1U);
+}
+
+TEST(Storeys, CameraThatWasCarriedElsewhereClimbedNoStair) {
+  std::vector<DepthFrame> frames = Tour(twoStoreyHouse()).to({1.9, 2.0, 0.0}).lookRound().frames();
+  const double end_s = frames.back().stamp_s;
+  Tour upstairs(twoStoreyHouse());
+  upstairs.to({5.0, 1.8, kUpperFloor_m}).lookRound().to({7.6, 1.8, kUpperFloor_m}).lookRound();
+  for (DepthFrame frame : upstairs.frames()) {
+    frame.stamp_s += end_s + 20.0;
+    frames.push_back(frame);
+  }
+  const Pipeline pipeline = carried(frames);
+  EXPECT_EQ(pipeline.storeys().size(), 2U);
+  EXPECT_TRUE(stairsIn(pipeline.graph()).empty());
+}
+
+TEST(Storeys, WayFromRoomToRoomLeadsOverTheStair) {
+  const Pipeline pipeline = carried(tourOfBothStoreys());
+  const SceneGraph& graph = pipeline.graph();
+  const auto way = shortestRoute(graph, Place{1.0, 2.0, 0.0}, Place{1.0, 2.0, kUpperFloor_m});
+  ASSERT_TRUE(way);
+  EXPECT_EQ(way->rooms.size(), 4U);
+  EXPECT_EQ(way->stairs.size(), 1U);
+  EXPECT_GT(way->length_m, 10.0);
+  const auto same_storey = shortestRoute(graph, Place{1.0, 2.0, 0.0}, Place{6.0, 2.0, 0.0});
+  ASSERT_TRUE(same_storey);
+  EXPECT_TRUE(same_storey->stairs.empty());
 }
 
 /// The poses rise by half a metre in the course of a drive that stays on its floor.

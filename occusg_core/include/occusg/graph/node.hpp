@@ -9,10 +9,12 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "occusg/geometry/cell.hpp"
 #include "occusg/geometry/pose.hpp"
 #include "occusg/graph/room.hpp"
+#include "occusg/mapping/free_space.hpp"
 
 namespace occusg {
 
@@ -20,7 +22,7 @@ namespace occusg {
 using NodeId = std::int64_t;
 
 /// In the order of `NodeAttributes` and of `kNodeTypes`.
-enum class NodeType { kAgent, kObject, kNavigation, kRoom, kDoor };
+enum class NodeType { kAgent, kObject, kNavigation, kRoom, kDoor, kStairs };
 
 /// What is the same for all nodes of a type.
 struct NodeTypeInfo {
@@ -30,12 +32,13 @@ struct NodeTypeInfo {
 };
 
 /// Every type of node. CONTRIBUTING says which other files a new one needs.
-inline constexpr std::array<NodeTypeInfo, 5> kNodeTypes = {{
+inline constexpr std::array<NodeTypeInfo, 6> kNodeTypes = {{
     {NodeType::kAgent, "AGENT", 0},
     {NodeType::kObject, "OBJECT", 1'000'000},
     {NodeType::kNavigation, "NAVIGATION", 2'000'000},
     {NodeType::kRoom, "ROOM", 4'000'000},
     {NodeType::kDoor, "DOOR", 5'000'000},
+    {NodeType::kStairs, "STAIRS", 5'900'000},
 }};
 inline constexpr std::size_t kNodeTypeCount = kNodeTypes.size();
 
@@ -66,7 +69,7 @@ inline constexpr NodeId kIdEnd = 2'000'000'000;
   return static_cast<int>(id - firstId(NodeType::kRoom)) + 1;
 }
 
-/// "AGENT", "OBJECT", "NAVIGATION", "ROOM" or "DOOR".
+/// "AGENT", "OBJECT", "NAVIGATION", "ROOM", "DOOR" or "STAIRS".
 [[nodiscard]] const char* nameOf(NodeType type);
 
 /// The robot at one moment. The agent's frame is the one that whoever drives the pipeline follows:
@@ -100,8 +103,21 @@ struct DoorAttributes {
   NodeId room_b = 0;
 };
 
+/// What leads from one storey to another; its node is halfway up.
+struct StairsAttributes {
+  StairsKind kind = StairsKind::kStairs;
+  std::vector<Eigen::Vector3d> path;  ///< From the lower end to the upper, on the treads [m].
+  Ring footprint;                     ///< Convex outline around `path`, map frame [m].
+  double rise_m = 0.0;                ///< From floor to floor.
+  int risers = 0;                     ///< Steps counted along `path`; 0 for a ramp or a lift.
+  int lower_storey = 0;
+  int upper_storey = 0;
+  NodeId lower_room = 0;  ///< The rooms it joins; 0: no room is at this end.
+  NodeId upper_room = 0;
+};
+
 using NodeAttributes = std::variant<AgentAttributes, ObjectAttributes, NavigationAttributes,
-                                    RoomAttributes, DoorAttributes>;
+                                    RoomAttributes, DoorAttributes, StairsAttributes>;
 static_assert(std::variant_size_v<NodeAttributes> == kNodeTypeCount);
 
 /// A node of the scene graph.

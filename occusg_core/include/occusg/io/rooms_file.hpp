@@ -34,11 +34,24 @@ struct DoorRecord {
   Segment2 segment;  ///< Map frame [m].
 };
 
+/// A way between two storeys.
+struct StairsRecord {
+  std::string kind;    ///< "stairs", "ramp" or "lift".
+  int lower_room = 0;  ///< 0: no room is at this end.
+  int upper_room = 0;
+  int lower_storey = 0;
+  int upper_storey = 0;
+  int risers = 0;  ///< 0 when it has none.
+  Ring footprint;  ///< Map frame [m].
+};
+
 /// `rooms.json`, prediction and ground truth alike:
 /// {"scene", "frame", "floor_z", "rooms": [{"id", "label", "polygon": [[x, y], ...], "holes"}],
 /// "doors": [{"rooms": [id, id], "segment": [[x, y], [x, y]]}]}. A room may also have "storey" (or
 /// "level"), the id of its storey, and "further_parts", a list of {"polygon", "holes"}. The file of
-/// a building with several storeys lists them: "storeys": [{"id", "floor_z", "ceiling_z"}].
+/// a building with several storeys lists them, "storeys": [{"id", "floor_z", "ceiling_z"}], and the
+/// ways between them, "stairs": [{"kind", "rooms", "storeys", "risers", "footprint"}], the lower
+/// end first. Stairs are written and not read.
 struct RoomsFile {
   std::string scene;
   std::string frame = "map";
@@ -46,6 +59,7 @@ struct RoomsFile {
   std::vector<StoreyRecord> storeys;  ///< From the lowest up; empty: the file names none.
   std::vector<RoomRecord> rooms;
   std::vector<DoorRecord> doors;
+  std::vector<StairsRecord> stairs = {};
 };
 
 /// Limits of what is read. The rooms of every graph that can be written can be read.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <limits>
+#include <vector>
 
 #include "occusg/geometry/cell.hpp"
 #include "occusg/geometry/tiled_grid.hpp"
@@ -28,6 +30,22 @@ struct Storey {
   int id = 0;              ///< Storeys are numbered from 0 as they are found; never used again.
   double floor_z_m = 0.0;  ///< Height of its floor in the map frame.
   HeightSpan span;         ///< From within its slab, kStoreyBelowFloor_m, to within the slab above.
+};
+
+/// By what a camera got from one storey to another.
+enum class StairsKind {
+  kStairs,  ///< Over treads.
+  kRamp,    ///< Over a slope too gentle for treads.
+  kLift,    ///< Straight up.
+};
+
+/// A way between two storeys that a camera went.
+struct StoreyPassage {
+  StairsKind kind = StairsKind::kStairs;
+  int lower_storey = 0;
+  int upper_storey = 0;
+  std::vector<Eigen::Vector3d> path;  ///< From the lower floor to the upper, at the feet [m].
+  int risers = 0;                     ///< Steps seen along the path; 0 without any.
 };
 
 /// The 2D free-space layer.

@@ -53,6 +53,8 @@ class MapPipeline {
  public:
   /// @throws Error when the configuration breaks a rule.
   explicit MapPipeline(const PipelineConfig& config, Storeys storeys = Storeys::kOne);
+  MapPipeline(const MapPipeline&) = delete;
+  MapPipeline& operator=(const MapPipeline&) = delete;
   MapPipeline(MapPipeline&&) noexcept;
   MapPipeline& operator=(MapPipeline&&) noexcept;
   ~MapPipeline();
@@ -72,6 +74,8 @@ class MapPipeline {
 
   /// In the order of their ids; the first is there from the beginning.
   [[nodiscard]] const std::vector<Storey>& storeys() const { return storeys_; }
+  /// The ways from storey to storey that the camera went.
+  [[nodiscard]] const std::vector<StoreyPassage>& passages() const;
   /// Index of the storey the camera is on; on stairs, of the one it comes from.
   [[nodiscard]] std::size_t currentStorey() const { return current_; }
   /// @pre storey < storeys().size()
