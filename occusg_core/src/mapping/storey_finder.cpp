@@ -33,6 +33,8 @@ constexpr double kLeastPath_m = 2.0;
 /// No landing is so large that it needs no path.
 constexpr double kAmpleFloor_m2 = 8.0;
 constexpr std::size_t kLeastLooks = 3;
+/// No building has more; poses that climb for ever do not fill the memory.
+constexpr std::size_t kMostStoreys = 200;
 /// Older heights of the sensor fade after so many.
 constexpr std::size_t kRememberedHeights = 100;
 /// A height that differs by more was taken on the way to another storey.
@@ -46,6 +48,8 @@ constexpr double kSamePassage_m = 1.5;
 constexpr double kLiftRun_m = 1.0;
 /// A steeper passage has treads.
 constexpr double kSteepestRamp = 0.25;
+/// A way off all floors that takes more looks, as a drift of the poses makes it, is no stair.
+constexpr std::size_t kLongestTrail = 2000;
 /// Feet that move farther between two looks were carried there.
 constexpr double kLongestStep_m = 2.0;
 /// Treads are looked for so far to the sides of the feet.
@@ -183,7 +187,7 @@ void StoreyFinder::followFeet(const VoxelColumns& columns, const Eigen::Vector3d
   const Eigen::Vector3d feet = position - sensor_height_m_ * Eigen::Vector3d::UnitZ();
   const bool was_carried =
       !trail_.empty() && (feet - trail_.back()).head<2>().norm() > kLongestStep_m;
-  if (was_carried) {
+  if (was_carried || trail_.size() >= kLongestTrail) {
     trail_.clear();
     stood_on_.reset();
   }
@@ -254,6 +258,7 @@ int StoreyFinder::risersAlong(const VoxelColumns& columns,
 bool StoreyFinder::isStorey(const Level& level, const Eigen::Vector3d& position) {
   if (level.area_m2 < kLeastFloor_m2) return false;
   if (storeys_.empty()) return true;
+  if (storeys_.size() >= kMostStoreys) return false;
   if (!candidate_ || std::abs(candidate_->z_m - level.z_m) > 2.0 * resolution_m_)
     candidate_ = Candidate{level.z_m, 0, {}};
   ++candidate_->looks;

@@ -177,7 +177,9 @@ bool MapPipeline::staysInSpan(const Point3f& origin) const {
   box = box.including(Cell{cellAt(x + reach_m), cellAt(y + reach_m)});
   const double limit_m = kMapReach_cells * config.resolution_m;
   const bool is_outside = !(std::abs(x) < limit_m && std::abs(y) < limit_m);
-  return is_outside || layers_[current_].canCover(box);
+  return is_outside ||
+         std::all_of(layers_.begin(), layers_.end(),
+                     [&box](const FreeSpaceLayer& layer) { return layer.canCover(box); });
 }
 
 StageTimes MapPipeline::times() const {

@@ -130,17 +130,23 @@ void Pipeline::observeObjects(const std::vector<Detection>& detections, double s
     rooms_.front().observeObjects(detections, stamp_s);
     return;
   }
+  std::vector<std::vector<Detection>> by_storey(rooms_.size());
+  for (const Detection& detection : detections)
+    by_storey[storeyAtHeight(detection.centroid.z())].push_back(detection);
   for (std::size_t storey = 0; storey < rooms_.size(); ++storey) {
-    const HeightSpan& span = map_.storeys()[storey].span;
-    std::vector<Detection> on_it;
-    for (const Detection& detection : detections) {
-      const double z_m = detection.centroid.z();
-      if (z_m >= span.bottom_m && z_m < span.top_m) on_it.push_back(detection);
-    }
-    if (on_it.empty()) continue;
+    if (by_storey[storey].empty()) continue;
     skipIdsOfOthers(storey);
-    rooms_[storey].observeObjects(on_it, stamp_s);
+    rooms_[storey].observeObjects(by_storey[storey], stamp_s);
   }
+}
+
+/// Index of the storey between whose slabs the height is; of the current one for a NaN.
+std::size_t Pipeline::storeyAtHeight(double z_m) const {
+  for (std::size_t storey = 0; storey < storeys().size(); ++storey) {
+    const HeightSpan& span = storeys()[storey].span;
+    if (z_m >= span.bottom_m && z_m < span.top_m) return storey;
+  }
+  return map_.currentStorey();
 }
 
 void Pipeline::skipIdsOfOthers(std::size_t storey) {

@@ -106,6 +106,7 @@ class Pipeline {
   void followStoreys();
   void observeObjects(const std::vector<Detection>& detections, double stamp_s);
   void skipIdsOfOthers(std::size_t storey);
+  [[nodiscard]] std::size_t storeyAtHeight(double z_m) const;
   [[nodiscard]] bool roomsAreDue(double stamp_s) const;
 
   PipelineConfig config_;
