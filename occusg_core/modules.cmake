@@ -168,6 +168,7 @@ occusg_add_module(io
     external_rooms.cpp
     file_bytes.cpp
     file_mark.cpp
+    findings_picture.cpp
     folder_exchange.cpp
     graph_json.cpp
     graphml_file.cpp
@@ -217,6 +218,7 @@ occusg_add_module(io
     session_json.cpp
     session_repair.cpp
     spark_dsg_file.cpp
+    storeys_picture.cpp
     text_lines.cpp
   USES geometry perception mapping regions graph pipeline
   LIBRARIES nlohmann_json::nlohmann_json yaml-cpp opencv_core opencv_imgproc opencv_imgcodecs

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* kEnding = ".part";
 
 /// The thread in `.NAME.THREAD.part`; 0 when the name is no part's.
-pid_t writerOf(const std::string& name) {
+pid_t processThatWrites(const std::string& name) {
   constexpr std::size_t kMaxDigits = 9;
   const std::string ending = kEnding;
   if (name.size() <= ending.size() || name.front() != '.') return 0;
@@ -60,7 +60,7 @@ bool isOurs(const fs::directory_entry& entry) {
 }
 
 bool isStale(const fs::directory_entry& entry) {
-  const pid_t writer = writerOf(entry.path().filename().string());
+  const pid_t writer = processThatWrites(entry.path().filename().string());
   return writer > 0 && !isRunning(writer) && isOurs(entry) && !isHeld(entry.path());
 }
 

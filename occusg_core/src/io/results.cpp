@@ -8,8 +8,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "io/findings_picture.hpp"
 #include "io/graphml_file.hpp"
-#include "io/overview_picture.hpp"
 #include "io/result_index.hpp"
 #include "io/rooms_geojson.hpp"
 #include "io/spark_dsg_file.hpp"
@@ -22,44 +22,6 @@ namespace occusg {
 namespace {
 
 constexpr double kBytesPerMebibyte = 1024.0 * 1024.0;
-
-std::vector<Point2> trajectoryOf(const SceneGraph& graph) {
-  std::vector<Point2> trajectory;
-  for (const auto& [id, agent] : graph.nodes(NodeType::kAgent))
-    trajectory.push_back(agent.groundPosition());
-  return trajectory;
-}
-
-std::vector<DrawnObject> objectsOf(const SceneGraph& graph) {
-  std::vector<DrawnObject> objects;
-  for (const auto& [id, node] : graph.nodes(NodeType::kObject)) {
-    const auto& object = std::get<ObjectAttributes>(node.attributes);
-    if (object.box.isEmpty()) continue;
-    const Eigen::Vector3d& low = object.box.min();
-    const Eigen::Vector3d& high = object.box.max();
-    objects.push_back({object.class_name, {{low.x(), low.y()}, {high.x(), high.y()}}});
-  }
-  return objects;
-}
-
-std::vector<RoomLink> linksOf(const SceneGraph& graph) {
-  std::vector<RoomLink> links;
-  for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
-    for (const Segment2& crossing : edge.crossings) {
-      links.push_back({graph.at(ends.first).groundPosition(), midpoint(crossing),
-                       graph.at(ends.second).groundPosition()});
-    }
-  }
-  return links;
-}
-
-std::string overviewPng(const Findings& findings, const RoomsFile& rooms) {
-  const SceneGraph& graph = findings.graph;
-  return encodePng(
-      drawOverview(findings.free_space, {rooms.scene, rooms.rooms, rooms.doors, trajectoryOf(graph),
-                                         objectsOf(graph), linksOf(graph)}),
-      effortFor(rooms.rooms.size()));
-}
 
 std::vector<StoreyLayer> storeysOf(const Pipeline& pipeline) {
   const std::vector<Storey>& storeys = pipeline.storeys();

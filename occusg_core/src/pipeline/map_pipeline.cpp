@@ -46,16 +46,16 @@ MapPipeline::MapPipeline(const PipelineConfig& config, Storeys storeys)
       gate_(config.poses),
       occupancy_(config.occupancy),
       finder_(storeys == Storeys::kFound
-                  ? std::make_unique<StoreyFinder>(config.occupancy.resolution_m)
+                  ? std::make_unique<StoreyFinder>(config.occupancy.resolution_m).release()
                   : nullptr),
       storeys_(1),
       layers_(1, FreeSpaceLayer(config.free_space, GridFrame{config.occupancy.resolution_m})),
       changes_(1),
       layer_config_(config.free_space) {}
 
-MapPipeline::MapPipeline(MapPipeline&&) noexcept = default;
-MapPipeline& MapPipeline::operator=(MapPipeline&&) noexcept = default;
-MapPipeline::~MapPipeline() = default;
+void MapPipeline::DeleteFinder::operator()(StoreyFinder* finder) const noexcept {
+  std::default_delete<StoreyFinder>{}(finder);
+}
 
 const FreeSpace& MapPipeline::startFrom(OccupancyMap map) {
   const FreeSpace& layer = layers_.front().recompute(map);

@@ -53,11 +53,6 @@ class MapPipeline {
  public:
   /// @throws Error when the configuration breaks a rule.
   explicit MapPipeline(const PipelineConfig& config, Storeys storeys = Storeys::kOne);
-  MapPipeline(const MapPipeline&) = delete;
-  MapPipeline& operator=(const MapPipeline&) = delete;
-  MapPipeline(MapPipeline&&) noexcept;
-  MapPipeline& operator=(MapPipeline&&) noexcept;
-  ~MapPipeline();
 
   /// Continues from a saved map. In the layer, `changed` is what differs from before.
   /// @throws Error when the map is larger than the layer can be; the state is then as before.
@@ -93,6 +88,11 @@ class MapPipeline {
   [[nodiscard]] const StageTimes& durations() const { return times_; }
 
  private:
+  /// Deletes a finder where its type is known.
+  struct DeleteFinder {
+    void operator()(StoreyFinder* finder) const noexcept;
+  };
+
   [[nodiscard]] bool staysInSpan(const Point3f& origin) const;
   /// @param change what the map made of the frame, where it was asked.
   [[nodiscard]] FrameVerdict insert(const RangeImage& image, double stamp_s, MapChange& change);
@@ -104,10 +104,10 @@ class MapPipeline {
   DepthProjector projector_;
   PoseGate gate_;
   OccupancyMap occupancy_;
-  std::unique_ptr<StoreyFinder> finder_;  ///< Null where one layer is asked for.
-  std::vector<Storey> storeys_;           ///< At least one.
-  std::vector<FreeSpaceLayer> layers_;    ///< By storey.
-  std::vector<LayerChange> changes_;      ///< By storey, not yet taken.
+  std::unique_ptr<StoreyFinder, DeleteFinder> finder_;  ///< Null where one layer is asked for.
+  std::vector<Storey> storeys_;                         ///< At least one.
+  std::vector<FreeSpaceLayer> layers_;                  ///< By storey.
+  std::vector<LayerChange> changes_;                    ///< By storey, not yet taken.
   std::size_t current_ = 0;
   FreeSpaceLayerConfig layer_config_;
   MapCounts counts_;
