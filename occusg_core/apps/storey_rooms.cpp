@@ -31,10 +31,9 @@ struct Extent {
   void include(const std::vector<EvaluatedRoom>& rooms) {
     for (const EvaluatedRoom& room : rooms) {
       for (const Polygon& part : room.parts) {
-        for (const Point2& point : part.outer) {
-          low = std::min(low, point.x);
-          high = std::max(high, point.x);
-        }
+        const Bounds2 box = bounds(part);
+        low = std::min(low, box.min.x);
+        high = std::max(high, box.max.x);
       }
     }
   }

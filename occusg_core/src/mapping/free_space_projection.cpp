@@ -56,8 +56,6 @@ void check(const FreeSpaceLayerConfig& config, const GridFrame& frame) {
 /// Within this distance the floor of one place says what the floor of another is.
 constexpr double kFloorReach_m = 1.0;
 
-/// A floor that lies deeper below a storey's is no step down but another storey's.
-constexpr double kLeastFall_m = 0.8;
 /// What is free up to here above the floor's height has no floor there.
 constexpr double kFloorThickness_m = 0.1;
 

@@ -18,10 +18,6 @@ constexpr double kEndReach_m = 2.0;
 /// Each storey numbers its regions from 1.
 constexpr int kRegionsOfAStorey = 10'000'000;
 
-bool holds(const Storey& storey, double z_m) {
-  return z_m >= storey.span.bottom_m && z_m < storey.span.top_m;
-}
-
 /// Agents and objects have a height of their own: before a storey is found, those on it come to the
 /// graph of the storey the robot came from.
 const Storey& storeyOf(const Node& node, const StoreyGraph& from,
@@ -29,7 +25,7 @@ const Storey& storeyOf(const Node& node, const StoreyGraph& from,
   const bool has_height = node.type() == NodeType::kAgent || node.type() == NodeType::kObject;
   if (!has_height) return from.storey;
   for (const StoreyGraph& storey : storeys)
-    if (holds(storey.storey, node.position.z())) return storey.storey;
+    if (storey.storey.span.holds(node.position.z())) return storey.storey;
   return from.storey;
 }
 

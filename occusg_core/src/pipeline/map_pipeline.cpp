@@ -25,9 +25,6 @@ void add(PixelDrops& sum, const PixelDrops& drops) {
   sum.implausible += drops.implausible;
 }
 
-/// So far below a storey the voxels of a column matter to it (`FreeSpaceLayer::confine`).
-constexpr double kFall_m = 1.0;
-
 HeightSpan heightsSeen(const RangeImage& image, double resolution_m) {
   double lowest_m = image.origin.z;
   double highest_m = image.origin.z;
@@ -96,10 +93,13 @@ void MapPipeline::updateLayers(const RangeImage& image, const MapChange& change)
     note(0);
     return;
   }
-  const HeightSpan seen = heightsSeen(image, occupancy_.config().resolution_m);
+  const double resolution_m = occupancy_.config().resolution_m;
+  const HeightSpan seen = heightsSeen(image, resolution_m);
   for (std::size_t storey = 0; storey < layers_.size(); ++storey) {
     const HeightSpan& span = storeys_[storey].span;
-    const bool is_touched = seen.bottom_m < span.top_m && seen.top_m > span.bottom_m - kFall_m;
+    // A column matters to a storey down to the least fall below it, in whole voxels.
+    const double lowest_m = span.bottom_m - kLeastFall_m - resolution_m;
+    const bool is_touched = seen.bottom_m < span.top_m && seen.top_m > lowest_m;
     layers_[storey].update(occupancy_, is_touched ? change : MapChange{});
     note(storey);
   }

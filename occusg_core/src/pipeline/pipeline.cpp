@@ -142,10 +142,8 @@ void Pipeline::observeObjects(const std::vector<Detection>& detections, double s
 
 /// Index of the storey between whose slabs the height is; of the current one for a NaN.
 std::size_t Pipeline::storeyAtHeight(double z_m) const {
-  for (std::size_t storey = 0; storey < storeys().size(); ++storey) {
-    const HeightSpan& span = storeys()[storey].span;
-    if (z_m >= span.bottom_m && z_m < span.top_m) return storey;
-  }
+  for (std::size_t storey = 0; storey < storeys().size(); ++storey)
+    if (storeys()[storey].span.holds(z_m)) return storey;
   return map_.currentStorey();
 }
 

@@ -108,7 +108,7 @@ struct StairsAttributes {
   StairsKind kind = StairsKind::kStairs;
   std::vector<Eigen::Vector3d> path;  ///< From the lower end to the upper, on the treads [m].
   Ring footprint;                     ///< Convex outline around `path`, map frame [m].
-  double rise_m = 0.0;                ///< From floor to floor.
+  double rise_m = 0.0;                ///< From end to end of `path`.
   int risers = 0;                     ///< Steps counted along `path`; 0 for a ramp or a lift.
   int lower_storey = 0;
   int upper_storey = 0;

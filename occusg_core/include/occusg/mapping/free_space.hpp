@@ -16,6 +16,9 @@ namespace occusg {
 struct HeightSpan {
   double bottom_m = -std::numeric_limits<double>::infinity();
   double top_m = std::numeric_limits<double>::infinity();
+
+  /// The lower end belongs to the span, the upper one does not, and a NaN is in none.
+  [[nodiscard]] bool holds(double z_m) const { return z_m >= bottom_m && z_m < top_m; }
   friend bool operator==(const HeightSpan& a, const HeightSpan& b) {
     return a.bottom_m == b.bottom_m && a.top_m == b.top_m;
   }
@@ -24,6 +27,8 @@ struct HeightSpan {
 
 /// The span of a storey begins so far beneath its floor, within the slab.
 inline constexpr double kStoreyBelowFloor_m = 0.15;
+/// A floor that lies deeper below a storey's is no step down but another storey's.
+inline constexpr double kLeastFall_m = 0.8;
 
 /// One level of a building.
 struct Storey {
