@@ -136,14 +136,16 @@ void print(const StoreyRooms& storey, const RoomMetricsOptions& options) {
   const RoomMetrics metrics = evaluateRooms(storey.predicted, storey.truth, options);
   std::cout << "annotated rooms: " << metrics.n_truth << ", predicted: " << metrics.n_predicted
             << ", F1";
-  for (const ThresholdMetrics& at : metrics.at)
+  for (const ThresholdMetrics& at : metrics.at) {
     std::cout << "  " << std::setprecision(3) << at.f1 << " at " << std::setprecision(2)
               << at.threshold;
+  }
   std::cout << '\n';
 }
 
 std::vector<EvaluatedRoom> roomsOf(const std::vector<RoomOnStorey>& rooms) {
   std::vector<EvaluatedRoom> all;
+  all.reserve(rooms.size());
   for (const RoomOnStorey& room : rooms) all.push_back(room.room);
   return all;
 }

@@ -150,9 +150,10 @@ DoorAttributes doorOf(const Members& members) {
 /// Two whole numbers.
 std::pair<int, int> pairOf(const Members& members, const char* key) {
   const json& values = arrayOf(members.at(key), members.placeOf(key));
-  if (values.size() != 2)
+  if (values.size() != 2) {
     throw refuse(members.placeOf(key), "has " + std::to_string(values.size()) + " elements",
                  "two whole numbers are needed");
+  }
   return {integerOf(values[0], members.placeOf(key)), integerOf(values[1], members.placeOf(key))};
 }
 
@@ -161,9 +162,10 @@ StairsAttributes stairsOf(const Members& members, RingReader& rings) {
   StairsAttributes stairs;
   stairs.kind = members.named("kind", {StairsKind::kStairs, StairsKind::kRamp, StairsKind::kLift});
   const json& path = arrayOf(members.at("path"), members.placeOf("path"));
-  if (path.size() < 2 || path.size() > kLongestPath)
+  if (path.size() < 2 || path.size() > kLongestPath) {
     throw refuse(members.placeOf("path"), "has " + std::to_string(path.size()) + " points",
                  "2 to " + std::to_string(kLongestPath) + " are needed");
+  }
   for (const json& feet : path) stairs.path.push_back(vectorOf(members, feet, "path"));
   stairs.footprint = rings.read(members.at("footprint"), members.placeOf("footprint"));
   stairs.rise_m = members.number("rise_m");
