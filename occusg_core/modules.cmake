@@ -55,6 +55,7 @@ occusg_add_module(mapping
     occupancy_thresholds.cpp
     settled_voxels.cpp
     storey_finder.cpp
+    storeys.cpp
     tree_writer.cpp
     voxel_columns.cpp
     voxel_tree.cpp
@@ -150,6 +151,7 @@ occusg_add_module(graph
 occusg_add_module(pipeline
   SOURCES
     building_graph.cpp
+    building_pipeline.cpp
     config.cpp
     config_file.cpp
     frame_report.cpp
@@ -162,6 +164,7 @@ occusg_add_module(pipeline
 
 occusg_add_module(io
   SOURCES
+    building_json.cpp
     canvas.cpp
     color_image.cpp
     decomposition_drawing.cpp

@@ -13,7 +13,6 @@
 #include "io/external_rooms.hpp"
 #include "io/label_picture.hpp"
 #include "occusg/error.hpp"
-#include "occusg/evaluation/metrics_json.hpp"
 #include "occusg/evaluation/room_metrics.hpp"
 #include "occusg/io/rooms_file.hpp"
 #include "output_file.hpp"

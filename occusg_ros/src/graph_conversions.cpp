@@ -12,7 +12,9 @@
 #include <variant>
 
 #include "occusg/perception/class_names.hpp"
+#include "occusg/pipeline/building_pipeline.hpp"
 #include "occusg_ros/pose_conversions.hpp"
+#include "occusg_ros/storey_conversions.hpp"
 
 namespace occusg_ros {
 namespace {
@@ -37,12 +39,13 @@ geometry_msgs::Point pointOf(const Eigen::Vector3d& position) {
   return point;
 }
 
-geometry_msgs::Polygon ringOf(const occusg::Ring& ring) {
+geometry_msgs::Polygon ringOf(const occusg::Ring& ring, double z_m) {
   geometry_msgs::Polygon polygon;
   for (const occusg::Point2& vertex : ring) {
     geometry_msgs::Point32 point;
     point.x = static_cast<float>(vertex.x);
     point.y = static_cast<float>(vertex.y);
+    point.z = static_cast<float>(z_m);
     polygon.points.push_back(point);
   }
   return polygon;
@@ -69,6 +72,7 @@ const char* nameOf(occusg::RoomReason reason) {
 occusg::AgentInfo agentMsg(const SceneGraph& graph, const Node& node) {
   occusg::AgentInfo msg;
   msg.id = node.id;
+  msg.floor_id = node.floor_id;
   msg.pose = toPoseMsg(std::get<occusg::AgentAttributes>(node.attributes).T_map_agent);
   msg.room = graph.roomOf(node.id).value_or(kNone);
   msg.stamp = stampOf(node.created_s);
@@ -102,6 +106,7 @@ occusg::NavigationInfo navigationMsg(const SceneGraph& graph, const Node& node) 
   const auto& block = std::get<occusg::NavigationAttributes>(node.attributes);
   occusg::NavigationInfo msg;
   msg.id = node.id;
+  msg.floor_id = node.floor_id;
   msg.position = pointOf(node.position);
   msg.block = {block.block.x, block.block.y};
   msg.free_cells = block.free_cells;
@@ -110,12 +115,14 @@ occusg::NavigationInfo navigationMsg(const SceneGraph& graph, const Node& node) 
 }
 
 occusg::DoorInfo doorMsg(std::int64_t id, const std::pair<NodeId, NodeId>& rooms,
-                         const occusg::Segment2& segment) {
+                         const occusg::Segment2& segment, int floor_id = 0,
+                         double floor_z_m = 0.0) {
   occusg::DoorInfo msg;
   msg.id = id;
+  msg.floor_id = floor_id;
   msg.room_a = rooms.first;
   msg.room_b = rooms.second;
-  msg.ends = {toPointMsg(segment.a), toPointMsg(segment.b)};
+  msg.ends = {toPointMsg(segment.a, floor_z_m), toPointMsg(segment.b, floor_z_m)};
   msg.width = length(segment);
   return msg;
 }
@@ -185,10 +192,10 @@ geometry_msgs::Point toPointMsg(const occusg::Point2& point, double z_m) {
   return pointOf({point.x, point.y, z_m});
 }
 
-occusg::PolygonWithHoles toPolygonMsg(const occusg::Polygon& polygon) {
+occusg::PolygonWithHoles toPolygonMsg(const occusg::Polygon& polygon, double z_m) {
   occusg::PolygonWithHoles msg;
-  msg.outer = ringOf(polygon.outer);
-  for (const occusg::Ring& hole : polygon.holes) msg.holes.push_back(ringOf(hole));
+  msg.outer = ringOf(polygon.outer, z_m);
+  for (const occusg::Ring& hole : polygon.holes) msg.holes.push_back(ringOf(hole, z_m));
   return msg;
 }
 
@@ -198,28 +205,37 @@ occusg::Polygon toPolygon(const occusg::PolygonWithHoles& msg) {
   return polygon;
 }
 
-std::vector<occusg::RegionInfo> toRegionMsgs(const std::vector<occusg::Region>& regions) {
+std::vector<occusg::RegionInfo> toRegionMsgs(const std::vector<occusg::Region>& regions,
+                                             int floor_id, double floor_z_m) {
+  const int first = floor_id * occusg::kRegionsOfAStorey;
   std::vector<occusg::RegionInfo> msgs;
   for (const occusg::Region& region : regions) {
     occusg::RegionInfo msg;
-    msg.id = region.id;
-    msg.polygon = toPolygonMsg(region.polygon);
+    msg.id = first + region.id;
+    msg.floor_id = floor_id;
+    msg.polygon = toPolygonMsg(region.polygon, floor_z_m);
     msg.area = region.area_m2;
-    msg.centroid = toPointMsg(region.centroid);
-    msg.adjacent.assign(region.adjacent.begin(), region.adjacent.end());
+    msg.centroid = toPointMsg(region.centroid, floor_z_m);
+    for (const int beside : region.adjacent) msg.adjacent.push_back(first + beside);
     msgs.push_back(std::move(msg));
   }
   return msgs;
 }
 
-occusg::RegionArray toRegionArray(const occusg::TrackedRegions& regions, std::uint64_t sequence,
+occusg::RegionArray toRegionArray(const std::vector<StoreyRegions>& storeys, std::uint64_t sequence,
                                   const std_msgs::Header& header) {
   occusg::RegionArray msg;
   msg.header = header;
   msg.sequence = sequence;
-  msg.regions = toRegionMsgs(regions.decomposition.regions);
-  msg.missing.assign(regions.missed.begin(), regions.missed.end());
-  msg.stale = regions.stale;
+  for (const StoreyRegions& storey : storeys) {
+    const occusg::TrackedRegions& tracked = storey.regions;
+    const std::vector<occusg::RegionInfo> regions =
+        toRegionMsgs(tracked.decomposition.regions, storey.floor_id, storey.floor_z_m);
+    msg.regions.insert(msg.regions.end(), regions.begin(), regions.end());
+    for (const int missed : tracked.missed)
+      msg.missing.push_back(storey.floor_id * occusg::kRegionsOfAStorey + missed);
+    msg.stale = msg.stale || tracked.stale;
+  }
   return msg;
 }
 
@@ -239,7 +255,7 @@ occusg::RoomInfo toRoomMsg(const SceneGraph& graph, NodeId id) {
   msg.state = room.state == occusg::RoomState::kPartial ? "partial" : "confirmed";
   msg.frontier_share = room.frontier_share;
   msg.position = pointOf(node.position);
-  msg.polygon = toPolygonMsg(room.polygon);
+  msg.polygon = toPolygonMsg(room.polygon, node.position.z());
   msg.area = room.area_m2;
   msg.adjacent = graph.targets(EdgeType::kRoomAdjacency, id);
   msg.created = stampOf(node.created_s);
@@ -248,8 +264,10 @@ occusg::RoomInfo toRoomMsg(const SceneGraph& graph, NodeId id) {
 }
 
 occusg::DoorInfo toDoorMsg(const SceneGraph& graph, NodeId door) {
-  const auto& attributes = std::get<occusg::DoorAttributes>(graph.at(door).attributes);
-  return doorMsg(door, {attributes.room_a, attributes.room_b}, attributes.segment);
+  const Node& node = graph.at(door);
+  const auto& attributes = std::get<occusg::DoorAttributes>(node.attributes);
+  return doorMsg(door, {attributes.room_a, attributes.room_b}, attributes.segment, node.floor_id,
+                 node.position.z());
 }
 
 std::vector<occusg::DoorInfo> toDoorMsgs(const SceneGraph& graph) {
@@ -260,7 +278,8 @@ std::vector<occusg::DoorInfo> toDoorMsgs(const SceneGraph& graph) {
   // A graph without door nodes has them on its edges.
   for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
     for (const occusg::Segment2& segment : edge.crossings)
-      msgs.push_back(doorMsg(kNone, ends, segment));
+      msgs.push_back(doorMsg(kNone, ends, segment, graph.at(ends.first).floor_id,
+                             graph.at(ends.first).position.z()));
   }
   return msgs;
 }
@@ -286,6 +305,7 @@ occusg::CurrentRoom toCurrentRoom(const GraphView& view) {
   occusg::CurrentRoom msg;
   msg.header = view.header;
   msg.id = view.current_room.value_or(kNone);
+  msg.floor_id = view.floor_id;
   if (view.current_room && view.graph.find(*view.current_room) != nullptr) {
     msg.name = view.graph.room(*view.current_room).name;
     msg.label = view.graph.room(*view.current_room).label;
@@ -302,6 +322,7 @@ occusg::SceneGraphStamped toGraphMsg(const GraphView& view) {
   msg.current_room = view.current_room.value_or(kNone);
   msg.rooms = toRoomArray(view).rooms;
   msg.doors = toDoorMsgs(graph);
+  msg.stairs = toStairsMsgs(graph);
   for (const auto& entry : graph.nodes(NodeType::kObject))
     msg.objects.push_back(objectMsg(graph, entry.second));
   for (const auto& entry : graph.nodes(NodeType::kAgent))
@@ -327,6 +348,8 @@ occusg::SceneGraphUpdate difference(const occusg::SceneGraphStamped& before,
   std::sort(update.removed_nodes.begin(), update.removed_nodes.end());
   update.doors_changed = !(before.doors == after.doors);
   if (update.doors_changed) update.doors = after.doors;
+  update.stairs_changed = !(before.stairs == after.stairs);
+  if (update.stairs_changed) update.stairs = after.stairs;
   update.added_edges = missingFrom(after.edges, before.edges);
   update.removed_edges = missingFrom(before.edges, after.edges);
   return update;
@@ -334,8 +357,9 @@ occusg::SceneGraphUpdate difference(const occusg::SceneGraphStamped& before,
 
 bool isEmpty(const occusg::SceneGraphUpdate& update) {
   return update.rooms.empty() && update.objects.empty() && update.agents.empty() &&
-         update.navigation.empty() && !update.doors_changed && update.removed_nodes.empty() &&
-         update.added_edges.empty() && update.removed_edges.empty() && !update.room_changed;
+         update.navigation.empty() && !update.doors_changed && !update.stairs_changed &&
+         update.removed_nodes.empty() && update.added_edges.empty() &&
+         update.removed_edges.empty() && !update.room_changed;
 }
 
 occusg::DetectionArray toDetectionMsg(const std::vector<occusg::Detection>& detections,

@@ -40,7 +40,7 @@ MappingNode::MappingNode(const NodeHandles& handles)
       started_s_(steadySeconds()),
       waiting_(static_cast<std::size_t>(settings_.queue_size)),
       live_(settings_.live),
-      map_(std::make_unique<occusg::MapPipeline>(config_)),
+      map_(emptyMap()),
       pose_gate_(settings_.live.pose_gate),
       generations_(expandedFolder(settings_.saving.save_folder, handles.inputs.getNamespace()),
                    runId(), handles.name),
@@ -48,6 +48,7 @@ MappingNode::MappingNode(const NodeHandles& handles)
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
       tf_input_(tf_),
+      storeys_(handles.inputs),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   advertise();
   resume();
@@ -414,15 +415,25 @@ void MappingNode::publishLayer(const std_msgs::Header& header, double logical_s)
 
 // What hangs over the layer goes first, so that who takes both need not wait.
 void MappingNode::sendLayer(const std_msgs::Header& header) {
+  storeys_.send(*map_, header);
   const occusg::FreeSpace& layer = map_->freeSpace();
   gaps_publisher_.publish(boost::make_shared<occusg::OverheadGaps>(toGapsMsg(layer, header)));
   const auto fill = boost::make_shared<nav_msgs::OccupancyGrid>(toGridMsg(layer, header));
+  const occusg::Building& building = map_->building();
+  if (building.storeys.size() > 1)
+    fill->info.origin.position.z = building.storeys[building.current].floor_z_m;
   layer_publisher_.publish(boost::make_shared<nav_msgs::OccupancyGrid>(toDecidedGrid(*fill)));
   fill_publisher_.publish(fill);
 }
 
 // The layer follows logical time; the rest of a drive that has ended must not stay behind.
 void MappingNode::publishLastLayer() {
+  if (storeys_.isAwaited()) {
+    std_msgs::Header now;
+    now.stamp = ros::Time::now();
+    now.frame_id = settings_.map_frame;
+    storeys_.send(*map_, now);
+  }
   if (!unpublished_ || steadySeconds() - last_frame_s_ < kIdle_s) return;
   const std_msgs::Header header = *unpublished_;
   publishVoxels(header);

@@ -34,6 +34,7 @@
 #include "occusg_ros/saved_generations.hpp"
 #include "occusg_ros/saver.hpp"
 #include "occusg_ros/stamp_gate.hpp"
+#include "occusg_ros/storey_publisher.hpp"
 #include "occusg_ros/tf_input.hpp"
 #include "occusg_ros/tf_poses.hpp"
 #include "occusg_ros/throttle.hpp"
@@ -110,6 +111,7 @@ class MappingNode {
   void saveAtEnd();
   void noteSave(const std::string& folder, const std::string& problem);
   void load(const std::string& name);
+  [[nodiscard]] std::unique_ptr<occusg::MapPipeline> emptyMap() const;
   void resume();
   [[nodiscard]] std::string folderOf(const std::string& name) const;
 
@@ -166,6 +168,7 @@ class MappingNode {
   ros::Publisher layer_publisher_;
   ros::Publisher fill_publisher_;
   ros::Publisher gaps_publisher_;
+  StoreyPublisher storeys_;
   ros::Publisher voxel_publisher_;
   ros::Publisher octomap_publisher_;
   ros::Publisher config_publisher_;

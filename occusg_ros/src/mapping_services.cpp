@@ -20,10 +20,24 @@ namespace {
 
 constexpr const char* kMapFile = "map.ot";
 
+/// The storeys of the session beside a map; none where there is no session. The session is checked
+/// whole: the other node refuses one that cannot be used, and so must this one.
+occusg::Building buildingIn(const std::string& folder, const occusg::OccupancyMapConfig& config) {
+  const std::string session = sessionIn(folder);
+  if (!std::filesystem::exists(session)) return {};
+  return occusg::loadSession(session, config).state.building;
+}
+
 }  // namespace
 
+std::unique_ptr<occusg::MapPipeline> MappingNode::emptyMap() const {
+  const occusg::Storeys storeys =
+      settings_.find_storeys ? occusg::Storeys::kFound : occusg::Storeys::kOne;
+  return std::make_unique<occusg::MapPipeline>(config_, storeys);
+}
+
 void MappingNode::resetMap() {
-  map_ = std::make_unique<occusg::MapPipeline>(config_);
+  map_ = emptyMap();
   showNewMap();
 }
 
@@ -36,6 +50,7 @@ void MappingNode::showNewMap() {
   std_msgs::Header header;
   header.stamp = ros::Time::now();
   header.frame_id = settings_.map_frame;
+  storeys_.forget(*map_, header);
   sendLayer(header);
 }
 
@@ -87,16 +102,15 @@ void MappingNode::noteSave(const std::string& folder, const std::string& problem
 
 void MappingNode::load(const std::string& name) {
   // Into a fresh one: a file that cannot be used leaves the live map as it is.
-  auto loaded = std::make_unique<occusg::MapPipeline>(config_);
-  loaded->startFrom(occusg::readOctomap(mapFileIn(folderOf(name)), config_.occupancy));
+  std::unique_ptr<occusg::MapPipeline> loaded = emptyMap();
+  loaded->startFrom(occusg::readOctomap(mapFileIn(folderOf(name)), config_.occupancy),
+                    buildingIn(folderOf(name), config_.occupancy));
   const occusg::FarIslands& cut = loaded->occupancyMap().cutIslands();
   if (!cut.none()) ROS_WARN_STREAM(handles_.name << ": " << name << ": " << sentenceOn(cut));
   map_ = std::move(loaded);
   showNewMap();
 }
 
-// The rooms beside the map are checked too: the other node begins anew when they cannot be used,
-// and so must this one.
 void MappingNode::resume() {
   const std::string name = generations_.hasCrashed() ? kDefaultSaveName : settings_.saving.resume;
   if (name.empty()) return;
@@ -104,8 +118,6 @@ void MappingNode::resume() {
     return;  // killed before it saved
   const std::string folder = folderOf(name);
   try {
-    if (std::filesystem::exists(sessionIn(folder)))
-      (void)occusg::loadSession(sessionIn(folder), config_.occupancy);
     load(name);
     ROS_INFO_STREAM(handles_.name << ": continues from the map " << folder);
   } catch (const std::exception& error) {

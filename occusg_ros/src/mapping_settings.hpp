@@ -39,6 +39,7 @@ struct MappingSettings {
   Overload overload = Overload::kSkip;
   OnTimeJump on_time_jump = OnTimeJump::kKeep;
   double soft_memory_mib = 1000.0;
+  bool find_storeys = true;
   SavingSettings saving;
   MappingLive live;
 };
@@ -92,6 +93,10 @@ struct MappingSettings {
       choiceParameter<OnTimeJump>(
           settings.on_time_jump, {{"keep", OnTimeJump::kKeep}, {"reset", OnTimeJump::kReset}},
           {"on_time_jump", "", "What happens to the map when the clock jumps back."}),
+      choiceParameter<bool>(
+          settings.find_storeys, {{"true", true}, {"false", false}},
+          {"find_storeys", "",
+           "Whether each storey of a building gets a free space of its own; false: one for all."}),
       numberParameter(
           settings.soft_memory_mib, {1.0, 1e6},
           {"soft_memory_mib", "MiB", "Size of the map above which a warning is given."}),

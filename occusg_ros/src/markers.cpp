@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "marker_shapes.hpp"
+#include "occusg/pipeline/building_pipeline.hpp"
 #include "occusg_ros/graph_conversions.hpp"
 
 namespace occusg_ros {
@@ -27,7 +28,9 @@ constexpr double kDoorThickness_m = 0.08;
 constexpr int kDoorsPerRoomPair = 16;
 constexpr double kSmallestBox_m = 0.05;
 constexpr double kTextSize_m = 0.4;
-constexpr double kOfNoRoom = 0.6;  // grey of what is in no room
+constexpr double kStairs_m = 0.15;
+constexpr double kNodeShare = 0.5;  // of a storey's height, where the nodes of its rooms float
+constexpr double kOfNoRoom = 0.6;   // grey of what is in no room
 
 geometry_msgs::Point raised(const Eigen::Vector3d& position, double height_m) {
   return toPointMsg({position.x(), position.y()}, position.z() + height_m);
@@ -44,7 +47,8 @@ class Drawing {
   void drawObjects();
   void drawNavigation();
   void drawTrajectory();
-  void drawRegions(const occusg::TrackedRegions& regions);
+  void drawStairs();
+  void drawRegions(const StoreyRegions& storey);
   [[nodiscard]] MarkerSet take() { return std::move(set_); }
 
  private:
@@ -204,11 +208,34 @@ void Drawing::drawTrajectory() {
   for (const auto& entry : nodes) way.points.push_back(raised(entry.second.position, 0.0));
 }
 
-void Drawing::drawRegions(const occusg::TrackedRegions& regions) {
-  for (const occusg::Region& region : regions.decomposition.regions) {
-    add("regions", region.id, Marker::LINE_LIST, 0.03, grey(0.3, 0.9)).points =
-        outlined(region.polygon, kOutline_m + 0.02);
+void Drawing::drawStairs() {
+  for (const auto& [id, node] : graph_.nodes(NodeType::kStairs)) {
+    const auto& stairs = std::get<occusg::StairsAttributes>(node.attributes);
+    std_msgs::ColorRGBA color = grey(1.0, 0.9);
+    color.b = 0.1F;
+    color.g = 0.6F;
+    Marker& way = add("stairs", id, Marker::LINE_STRIP, kStairs_m, color);
+    for (const Eigen::Vector3d& feet : stairs.path) way.points.push_back(raised(feet, kOutline_m));
   }
+}
+
+void Drawing::drawRegions(const StoreyRegions& storey) {
+  for (const occusg::Region& region : storey.regions.decomposition.regions) {
+    const NodeId id = storey.floor_id * occusg::kRegionsOfAStorey + region.id;
+    add("regions", id, Marker::LINE_LIST, 0.03, grey(0.3, 0.9)).points =
+        outlined(region.polygon, storey.floor_z_m + kOutline_m + 0.02);
+  }
+}
+
+/// The layout, with the nodes of rooms below the floor above them.
+MarkerLayout fittedTo(const std::vector<StoreyRegions>& storeys, MarkerLayout layout) {
+  for (const StoreyRegions& lower : storeys) {
+    for (const StoreyRegions& upper : storeys) {
+      const double rise_m = upper.floor_z_m - lower.floor_z_m;
+      if (rise_m > 0.0) layout.room_height_m = std::min(layout.room_height_m, kNodeShare * rise_m);
+    }
+  }
+  return layout;
 }
 
 // The stamp alone is no difference: markers without a lifetime stay as they are.
@@ -219,18 +246,22 @@ bool looksLike(Marker a, const Marker& b) {
 
 }  // namespace
 
-MarkerSet drawGraph(const SceneGraph& graph, const occusg::TrackedRegions& regions,
+MarkerSet drawGraph(const SceneGraph& graph, const std::vector<StoreyRegions>& storeys,
                     const MarkerLayout& layout, const std_msgs::Header& header) {
   // Stamp zero: rviz shows a marker of the fixed frame whatever time it is.
   std_msgs::Header timeless = header;
   timeless.stamp = ros::Time();
-  Drawing drawing(graph, layout, timeless);
+  const MarkerLayout fitted = fittedTo(storeys, layout);
+  Drawing drawing(graph, fitted, timeless);
   drawing.drawRooms();
   drawing.drawAdjacency();
   drawing.drawObjects();
   drawing.drawNavigation();
   drawing.drawTrajectory();
-  if (layout.show_regions) drawing.drawRegions(regions);
+  drawing.drawStairs();
+  if (layout.show_regions) {
+    for (const StoreyRegions& storey : storeys) drawing.drawRegions(storey);
+  }
   return drawing.take();
 }
 

@@ -21,6 +21,7 @@
 #include "occusg_ros/saved_folder.hpp"
 #include "occusg_ros/shown_text.hpp"
 #include "occusg_ros/stamp_gate.hpp"
+#include "occusg_ros/storey_conversions.hpp"
 #include "occusg_ros/topic_names.hpp"
 
 namespace occusg_ros {
@@ -28,6 +29,14 @@ namespace {
 
 constexpr std::uint32_t kUpdateQueue = 100;
 constexpr double kTick_s = 0.1;
+
+std::size_t indexOf(std::int32_t floor_id, const occusg::Building& building,
+                    const std::string& where) {
+  if (floor_id >= 0 && static_cast<std::size_t>(floor_id) < building.storeys.size())
+    return static_cast<std::size_t>(floor_id);
+  throw occusg::refuse(where, "is of the floor_id " + std::to_string(floor_id),
+                       "the building has " + std::to_string(building.storeys.size()) + " storeys");
+}
 
 }  // namespace
 
@@ -37,7 +46,8 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
       started_s_(steadySeconds()),
       last_graph_(boost::make_shared<occusg::SceneGraphStamped>()),
       layout_(settings_.layout),
-      rooms_(std::make_unique<occusg::RoomPipeline>(config_)),
+      rooms_(std::make_unique<occusg::BuildingPipeline>(config_)),
+      given_storeys_(config_.graph.rooms.floor_z_m),
       generations_(expandedFolder(settings_.saving.save_folder, handles.inputs.getNamespace()),
                    runId(), handles.name),
       saver_(settings_.saving.autosave_period_s, started_s_,
@@ -45,7 +55,7 @@ SceneGraphNode::SceneGraphNode(const NodeHandles& handles)
       tf_(ros::Duration(settings_.tf_cache_s)),
       tf_input_(tf_),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
-  layer_.frame.resolution_m = config_.occupancy.resolution_m;
+  forgetLayers();
   advertiseTopics();
   resume();
   worker_ = std::make_unique<Worker>(
@@ -62,6 +72,7 @@ SceneGraphNode::~SceneGraphNode() {
   grid_subscriber_.shutdown();
   grid_update_subscriber_.shutdown();
   gaps_subscriber_.shutdown();
+  storey_subscriber_.shutdown();
   odometry_subscriber_.shutdown();
   detections_subscriber_.shutdown();
   for (ros::ServiceServer& service : services_) service.shutdown();
@@ -75,6 +86,7 @@ void SceneGraphNode::advertiseTopics() {
   ros::NodeHandle& nh = handles_.inputs;
   regions_publisher_ = nh.advertise<occusg::RegionArray>("regions", 1, true);
   rooms_publisher_ = nh.advertise<occusg::RoomArray>("rooms", 1, true);
+  storeys_publisher_ = nh.advertise<occusg::StoreyArray>("storeys", 1, true);
   graph_publisher_ = nh.advertise<occusg::SceneGraphStamped>("scene_graph", 1, true);
   update_publisher_ = nh.advertise<occusg::SceneGraphUpdate>("scene_graph_updates", kUpdateQueue);
   current_room_publisher_ = nh.advertise<occusg::CurrentRoom>("current_room", 1, true);
@@ -101,6 +113,9 @@ void SceneGraphNode::subscribe() {
   gaps_subscriber_ = nh.subscribe<occusg::OverheadGaps>(
       "overhead_gaps", kInputQueue,
       guardedCallback(this, &SceneGraphNode::onGaps, "overhead gaps"));
+  storey_subscriber_ = nh.subscribe<occusg::StoreyFreeSpace>(
+      "storey_layers", kUpdateQueue,
+      guardedCallback(this, &SceneGraphNode::onStoreyLayer, "the free space of a storey"));
   grid_subscriber_ = nh.subscribe<nav_msgs::OccupancyGrid>(
       inputTopic(place, settings_.map, "free_space"), kInputQueue,
       guardedCallback(this, &SceneGraphNode::onGrid, "a map"));
@@ -159,28 +174,32 @@ bool SceneGraphNode::refusesStamp(const ros::Time& stamp, const std::string& top
   return true;
 }
 
+// In a building of several storeys the layers of all of them come another way.
 void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
   const CallbackTimes::Timing timing(callbacks_, "free space");
+  if (has_mapped_storeys_) return;
   health_.noteReceived();
   if (paused_) {
     health_.noteDropped(Drop::kPaused, "");
     return;
   }
   if (refusesStamp(grid->header.stamp, grid_subscriber_.getTopic())) return;
-  const std::string& frame = grid->header.frame_id;
-  if (frameName(frame) != frameName(settings_.map_frame)) {
-    const std::string problem = grid_subscriber_.getTopic() + ": its frame is '" +
-                                shownName(frame) + "'; ~map_frame is '" + settings_.map_frame + "'";
-    health_.noteDropped(Drop::kImage, problem);
-    if (map_warnings_.allows()) ROS_WARN_STREAM(handles_.name << ": map not used: " << problem);
-    return;
-  }
+  if (refusesFrame(grid->header.frame_id, grid_subscriber_.getTopic())) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     whole_grid_ = grid;
     if (waiting_.takeGrid(grid, steadySeconds())) health_.noteDropped(Drop::kOverload, "");
   }
   worker_->wake();
+}
+
+bool SceneGraphNode::refusesFrame(const std::string& frame, const std::string& topic) {
+  if (frameName(frame) == frameName(settings_.map_frame)) return false;
+  const std::string problem = topic + ": its frame is '" + shownName(frame) + "'; ~map_frame is '" +
+                              settings_.map_frame + "'";
+  health_.noteDropped(Drop::kImage, problem);
+  if (map_warnings_.allows()) ROS_WARN_STREAM(handles_.name << ": map not used: " << problem);
+  return true;
 }
 
 void SceneGraphNode::onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update) {
@@ -209,6 +228,24 @@ void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.takeGaps(gaps, steadySeconds());
+  }
+  worker_->wake();
+}
+
+void SceneGraphNode::onStoreyLayer(const occusg::StoreyFreeSpaceConstPtr& layer) {
+  const CallbackTimes::Timing timing(callbacks_, "free space of a storey");
+  health_.noteReceived();
+  if (paused_) {
+    health_.noteDropped(Drop::kPaused, "");
+    return;
+  }
+  if (refusesStamp(layer->header.stamp, storey_subscriber_.getTopic())) return;
+  if (refusesFrame(layer->header.frame_id, storey_subscriber_.getTopic())) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    StoreyLayerWaiting& waiting = waiting_storeys_[layer->floor_id];
+    if (waiting.layer) health_.noteDropped(Drop::kOverload, "");
+    waiting = {layer, steadySeconds()};
   }
   worker_->wake();
 }
@@ -249,7 +286,7 @@ void SceneGraphNode::onDetections(const occusg::DetectionArrayConstPtr& detectio
   worker_->post(
       [this, found = std::move(received.detections), stamp_s = detections->header.stamp.toSec()] {
         try {
-          rooms_->observeObjects(found, timeline_.at(stamp_s));
+          rooms_->observeObjects(onTheirStorey(found), timeline_.at(stamp_s));
         } catch (const std::exception& error) {
           if (detection_warnings_.allows())
             ROS_WARN_STREAM(handles_.name << ": detections not used: " << error.what());
@@ -307,6 +344,7 @@ Worker::Progress SceneGraphNode::step() {
     return Worker::Progress::kIdle;
   }
   saveFromTimeToTime();
+  if (takeStoreyLayer()) return Worker::Progress::kWorked;
   const std::optional<WaitingMap::Map> waiting = nextMap();
   if (!waiting) return Worker::Progress::kIdle;
   const std::optional<occusg::Pose> pose = poseFor(*waiting);
@@ -316,8 +354,18 @@ Worker::Progress SceneGraphNode::step() {
     waiting_.noteUsed(*waiting);
     if (!waiting->gaps && gaps_subscriber_.getNumPublishers() > 0) ++status_.maps_without_gaps;
   }
+  useMap([&] {
+    given_storeys_.observe(*pose);
+    rooms_->follow(given_storeys_.building());
+    awaits_map_ = false;
+    update(*waiting, onItsStorey(*pose), rooms_->building().current);
+  });
+  return Worker::Progress::kWorked;
+}
+
+void SceneGraphNode::useMap(const std::function<void()>& use) {
   try {
-    update(*waiting, *pose);
+    use();
     health_.noteUsed();
   } catch (const std::bad_alloc&) {
     onFailure({"no more memory for a map", true});
@@ -326,7 +374,65 @@ Worker::Progress SceneGraphNode::step() {
     if (map_warnings_.allows())
       ROS_WARN_STREAM(handles_.name << ": map not used: " << shownText(error.what()));
   }
-  return Worker::Progress::kWorked;
+}
+
+bool SceneGraphNode::takeStoreyLayer() {
+  StoreyLayerWaiting next;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // The oldest first: a building never has fewer storeys than it had.
+    for (const auto& [floor_id, waiting] : waiting_storeys_)
+      if (!next.layer || waiting.layer->header.stamp < next.layer->header.stamp) next = waiting;
+  }
+  if (!next.layer) return false;
+  const WaitingMap::Map map = next.map();
+  const std::optional<occusg::Pose> pose = poseFor(map);
+  if (!pose) return false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto waiting = waiting_storeys_.find(next.layer->floor_id);
+    if (waiting != waiting_storeys_.end() && waiting->second.layer == next.layer)
+      waiting_storeys_.erase(waiting);
+  }
+  useMap([&] {
+    const std::string& topic = storey_subscriber_.getTopic();
+    const occusg::Building building = toBuilding(next.layer->building, topic);
+    const std::size_t storey = indexOf(next.layer->floor_id, building, topic);
+    has_mapped_storeys_ = building.storeys.size() > 1;
+    rooms_->follow(building);
+    update(map, *pose, storey);
+  });
+  return true;
+}
+
+WaitingMap::Map SceneGraphNode::StoreyLayerWaiting::map() const {
+  return {nav_msgs::OccupancyGridConstPtr(layer, &layer->grid),
+          occusg::OverheadGapsConstPtr(layer, &layer->gaps), arrived_s};
+}
+
+occusg::MapView SceneGraphNode::viewOf(const occusg::FreeSpace& layer) {
+  occusg::MapView view;
+  view.layer = &layer;
+  view.changed = layer.changed;
+  view.gaps_changed = layer.gaps_changed;
+  return view;
+}
+
+occusg::Pose SceneGraphNode::onItsStorey(const occusg::Pose& pose) const {
+  return has_mapped_storeys_ ? pose : given_storeys_.onStorey(pose);
+}
+
+std::vector<occusg::Detection> SceneGraphNode::onTheirStorey(
+    std::vector<occusg::Detection> detections) const {
+  if (has_mapped_storeys_) return detections;
+  for (occusg::Detection& detection : detections) {
+    const double z_m = detection.centroid.z();
+    const double rise_m = given_storeys_.heightOnStorey(z_m) - z_m;
+    if (rise_m == 0.0) continue;
+    detection.centroid.z() += rise_m;
+    detection.box.translate(rise_m * Eigen::Vector3d::UnitZ());
+  }
+  return detections;
 }
 
 std::optional<WaitingMap::Map> SceneGraphNode::nextMap() const {
@@ -379,20 +485,22 @@ std::optional<occusg::Pose> SceneGraphNode::poseFor(const WaitingMap::Map& waiti
   return std::nullopt;
 }
 
-void SceneGraphNode::update(const WaitingMap::Map& map, const occusg::Pose& pose) {
+void SceneGraphNode::update(const WaitingMap::Map& map, const occusg::Pose& pose,
+                            std::size_t storey) {
+  layers_.resize(rooms_->storeyCount(), emptyLayer());
+  occusg::FreeSpace& last = layers_[storey];
   const GridReading reading =
       readingOf(map.grid->data, {settings_.free_below_percent, occupiedAbove(settings_)});
   tellAssumption(reading.assumption);
   occusg::FreeSpace layer = toFreeSpace(*map.grid, grid_subscriber_.getTopic(), reading.values);
   if (map.gaps) addGaps(*map.gaps, gaps_subscriber_.getTopic(), layer);
-  const bool is_comparable = layer.frame.resolution_m == layer_.frame.resolution_m;
-  const occusg::CellBox box = layer.cells.box().including(layer_.cells.box());
-  const occusg::CellBox changed = is_comparable ? layer.cells.differingFrom(layer_.cells) : box;
-  layer.changed = changed;
-  layer.gaps_changed = is_comparable ? layer.evidence.differingFrom(layer_.evidence, box) : box;
-  layer_ = std::move(layer);
+  const bool is_comparable = layer.frame.resolution_m == last.frame.resolution_m;
+  const occusg::CellBox box = layer.cells.box().including(last.cells.box());
+  layer.changed = is_comparable ? layer.cells.differingFrom(last.cells) : box;
+  layer.gaps_changed = is_comparable ? layer.evidence.differingFrom(last.evidence, box) : box;
+  last = std::move(layer);
   last_pose_ = pose;
-  rooms_->update(layer_, changed, pose, timeline_.at(map.grid->header.stamp.toSec()));
+  rooms_->update(storey, viewOf(last), pose, timeline_.at(map.grid->header.stamp.toSec()));
   publish(map.grid->header);
   noteStatus();
 }
@@ -409,15 +517,17 @@ void SceneGraphNode::followRobot() {
   if (now.isZero()) return;
   const double logical_s = timeline_.now(now.toSec());
   const PoseAnswer pose = robotPose(ros::Time());
-  if (pose.kind != PoseAnswer::Kind::kFound || !rooms_->lastUpdate()) return;
+  if (pose.kind != PoseAnswer::Kind::kFound || !rooms_->lastUpdate() || awaits_map_) return;
+  const occusg::Pose T_map_robot = onItsStorey(pose.T_target_source);
+  if (!has_mapped_storeys_) given_storeys_.observe(pose.T_target_source);
   const bool is_due = !last_maintenance_s_ ||
                       logical_s - *last_maintenance_s_ >= config_.graph.maintenance_period_s;
   if (!is_due) {
-    rooms_->observePose(pose.T_target_source, logical_s);
+    rooms_->observePose(T_map_robot, logical_s);
     return;
   }
   last_maintenance_s_ = logical_s;
-  rooms_->maintain(pose.T_target_source, logical_s);
+  rooms_->maintain(T_map_robot, logical_s, layers_);
   std_msgs::Header header;
   header.stamp = now;
   header.frame_id = settings_.map_frame;
@@ -427,11 +537,15 @@ void SceneGraphNode::followRobot() {
 
 void SceneGraphNode::publish(const std_msgs::Header& header) {
   const GraphPtr before = lastGraph();
-  GraphView view{rooms_->graph(), rooms_->currentRoom(), settings_.scene, sequence_ + 1, header};
+  const occusg::Building& building = rooms_->building();
+  GraphView view{rooms_->graph(), rooms_->currentRoom(),
+                 settings_.scene, sequence_ + 1,
+                 header,          static_cast<int>(building.current)};
   const auto after = boost::make_shared<occusg::SceneGraphStamped>(toGraphMsg(view));
   const auto change = boost::make_shared<occusg::SceneGraphUpdate>(difference(*before, *after));
   regions_publisher_.publish(boost::make_shared<occusg::RegionArray>(
-      toRegionArray(rooms_->regions(), rooms_->counts().region_updates, header)));
+      toRegionArray(storeyRegions(), rooms_->counts().region_updates, header)));
+  publishStoreys(header);
   if (sequence_ > 0 && isEmpty(*change)) return;
   ++sequence_;
   {
@@ -446,6 +560,30 @@ void SceneGraphNode::publish(const std_msgs::Header& header) {
   publishMarkers(header);
 }
 
+std::vector<StoreyRegions> SceneGraphNode::storeyRegions() const {
+  const std::vector<occusg::Storey>& storeys = rooms_->building().storeys;
+  // With one storey, rooms lie at the configured height, wherever the floor was seen.
+  const bool has_one = storeys.size() == 1;
+  std::vector<StoreyRegions> regions;
+  for (std::size_t storey = 0; storey < storeys.size(); ++storey) {
+    regions.push_back({rooms_->regions(storey), storeys[storey].id,
+                       has_one ? config_.graph.rooms.floor_z_m : storeys[storey].floor_z_m});
+  }
+  return regions;
+}
+
+void SceneGraphNode::publishStoreys(const std_msgs::Header& header) {
+  occusg::StoreyArray storeys = toStoreyArray(rooms_->building(), header);
+  const std::vector<occusg::StairsInfo> stairs = toStairsMsgs(rooms_->graph());
+  if (!stairs.empty()) storeys.stairs = stairs;
+  occusg::StoreyArray same_time = last_storeys_;
+  same_time.header = header;
+  same_time.sensor_height = storeys.sensor_height;
+  if (same_time == storeys) return;
+  last_storeys_ = storeys;
+  storeys_publisher_.publish(storeys);
+}
+
 void SceneGraphNode::publishMarkers(const std_msgs::Header& header) {
   MarkerLayout layout;
   {
@@ -454,7 +592,7 @@ void SceneGraphNode::publishMarkers(const std_msgs::Header& header) {
   }
   std_msgs::Header in_map = header;
   in_map.frame_id = settings_.map_frame;
-  MarkerSet wanted = drawGraph(rooms_->graph(), rooms_->regions(), layout, in_map);
+  MarkerSet wanted = drawGraph(rooms_->graph(), storeyRegions(), layout, in_map);
   // This thread alone changes `shown_`; a new subscriber waits for the sending at most.
   const visualization_msgs::MarkerArray changes = markerChanges(shown_, wanted);
   const std::lock_guard<std::mutex> lock(markers_mutex_);
@@ -473,8 +611,9 @@ void SceneGraphNode::noteStatus() {
     last_status_s_ = now_s;
   }
   const std::size_t rooms = rooms_->graph().nodes(NodeType::kRoom).size();
-  const std::string why_none =
-      rooms == 0 ? occusg::whyNoRooms(layer_, occusg::smallestRegion_m2(config_)) : "";
+  const std::string why_none = rooms == 0 ? occusg::whyNoRooms(layers_[rooms_->building().current],
+                                                               occusg::smallestRegion_m2(config_))
+                                          : "";
   if (!has_doubted_size_) {
     const std::string doubt = doubtOnLargestRoom(rooms_->graph());
     has_doubted_size_ = !doubt.empty();

@@ -18,6 +18,9 @@
 #include <occusg/SceneGraphStamped.h>
 #include <occusg/SegmentMap.h>
 #include <occusg/SetRoomLabel.h>
+#include <occusg/SetStorey.h>
+#include <occusg/StoreyArray.h>
+#include <occusg/StoreyFreeSpace.h>
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -25,6 +28,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,8 +37,10 @@
 
 #include "clock_check.hpp"
 #include "node_handles.hpp"
-#include "occusg/pipeline/room_pipeline.hpp"
+#include "occusg/pipeline/building_pipeline.hpp"
 #include "occusg_ros/callback_times.hpp"
+#include "occusg_ros/given_storeys.hpp"
+#include "occusg_ros/graph_conversions.hpp"
 #include "occusg_ros/guarded.hpp"
 #include "occusg_ros/input_health.hpp"
 #include "occusg_ros/markers.hpp"
@@ -83,6 +89,13 @@ class SceneGraphNode {
     SaveStatus saves{steadySeconds()};
     std::string assumption;  ///< Under which the map is read; empty: none.
   };
+  /// The free space of a storey that waits for its turn.
+  struct StoreyLayerWaiting {
+    occusg::StoreyFreeSpaceConstPtr layer;  ///< Null: none.
+    double arrived_s = 0.0;                 ///< Steady clock [s].
+
+    [[nodiscard]] WaitingMap::Map map() const;
+  };
   using GraphPtr = boost::shared_ptr<const occusg::SceneGraphStamped>;
 
   void advertiseTopics();
@@ -92,8 +105,10 @@ class SceneGraphNode {
   void onGrid(const nav_msgs::OccupancyGridConstPtr& grid);
   /// Whether a message is refused for its stamp, which is then counted and said.
   [[nodiscard]] bool refusesStamp(const ros::Time& stamp, const std::string& topic);
+  [[nodiscard]] bool refusesFrame(const std::string& frame, const std::string& topic);
   void onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update);
   void onGaps(const occusg::OverheadGapsConstPtr& gaps);
+  void onStoreyLayer(const occusg::StoreyFreeSpaceConstPtr& layer);
   void onOdometry(const nav_msgs::OdometryConstPtr& odometry);
   void onDetections(const occusg::DetectionArrayConstPtr& detections);
   void onReconfigure(occusg::SceneGraphLiveConfig& live, std::uint32_t level);
@@ -107,7 +122,16 @@ class SceneGraphNode {
   [[nodiscard]] std::optional<WaitingMap::Map> nextMap() const;
   [[nodiscard]] PoseAnswer robotPose(const ros::Time& stamp) const;
   [[nodiscard]] std::optional<occusg::Pose> poseFor(const WaitingMap::Map& waiting);
-  void update(const WaitingMap::Map& map, const occusg::Pose& pose);
+  /// Whether there was one.
+  bool takeStoreyLayer();
+  void useMap(const std::function<void()>& use);
+  void update(const WaitingMap::Map& map, const occusg::Pose& pose, std::size_t storey);
+  void enterStorey(int floor_id, double floor_z_m);
+  [[nodiscard]] occusg::Pose onItsStorey(const occusg::Pose& pose) const;
+  [[nodiscard]] std::vector<occusg::Detection> onTheirStorey(
+      std::vector<occusg::Detection> detections) const;
+  [[nodiscard]] occusg::FreeSpace emptyLayer() const;
+  [[nodiscard]] static occusg::MapView viewOf(const occusg::FreeSpace& layer);
   void tellAssumption(const std::string& assumption);
   void followRobot();
   void publish(const std_msgs::Header& header);
@@ -130,6 +154,7 @@ class SceneGraphNode {
   bool onGetPath(occusg::GetPath::Request& request, occusg::GetPath::Response& response);
   bool onSetRoomLabel(occusg::SetRoomLabel::Request& request,
                       occusg::SetRoomLabel::Response& response);
+  bool onSetStorey(occusg::SetStorey::Request& request, occusg::SetStorey::Response& response);
   bool onSegmentMap(occusg::SegmentMap::Request& request, occusg::SegmentMap::Response& response);
   bool onSave(occusg::SaveMap::Request& request, occusg::SaveMap::Response& response);
   bool onLoad(occusg::LoadMap::Request& request, occusg::LoadMap::Response& response);
@@ -137,6 +162,9 @@ class SceneGraphNode {
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   /// Runs `work` on the worker's thread; the sentence of what went wrong, empty when nothing did.
+  [[nodiscard]] std::vector<StoreyRegions> storeyRegions() const;
+  void publishStoreys(const std_msgs::Header& header);
+  void forgetLayers();
   [[nodiscard]] std::string onWorker(const std::function<void()>& work);
   [[nodiscard]] GraphPtr lastGraph() const;
   /// Asks the same of the node that maps; the sentence of what went wrong, empty when nothing did
@@ -158,9 +186,13 @@ class SceneGraphNode {
   ClockCheck clock_;
   Throttle detection_warnings_{kWarningPeriod_s};
 
+  /// The node that maps tells the storeys of the building, and there are several.
+  std::atomic<bool> has_mapped_storeys_{false};
+
   mutable std::mutex mutex_;  ///< Of the members up to `status_`.
   WaitingMap waiting_;
-  nav_msgs::OccupancyGridConstPtr whole_grid_;  ///< With all parts that came since.
+  std::map<int, StoreyLayerWaiting> waiting_storeys_;  ///< The newest layer of each, by floor_id.
+  nav_msgs::OccupancyGridConstPtr whole_grid_;         ///< With all parts that came since.
   nav_msgs::OdometryConstPtr odometry_;
   std::string pose_problem_;
   GraphPtr last_graph_;
@@ -173,8 +205,11 @@ class SceneGraphNode {
   MarkerSet shown_;
 
   // The worker's own.
-  std::unique_ptr<occusg::RoomPipeline> rooms_;
-  occusg::FreeSpace layer_;
+  std::unique_ptr<occusg::BuildingPipeline> rooms_;
+  std::vector<occusg::FreeSpace> layers_;  ///< By storey.
+  GivenStoreys given_storeys_;
+  occusg::StoreyArray last_storeys_;
+  bool awaits_map_ = false;  ///< That of the storey the robot has entered.
   RosTimeline timeline_;
   std::uint64_t sequence_ = 0;
   std::optional<double> last_maintenance_s_;
@@ -189,6 +224,7 @@ class SceneGraphNode {
   TfInput tf_input_;
   std::unique_ptr<PoseInput> pose_input_;
   ros::Publisher regions_publisher_;
+  ros::Publisher storeys_publisher_;
   ros::Publisher rooms_publisher_;
   ros::Publisher graph_publisher_;
   ros::Publisher update_publisher_;
@@ -202,6 +238,7 @@ class SceneGraphNode {
   ros::Subscriber grid_subscriber_;
   ros::Subscriber grid_update_subscriber_;
   ros::Subscriber gaps_subscriber_;
+  ros::Subscriber storey_subscriber_;
   ros::Subscriber odometry_subscriber_;
   ros::Subscriber detections_subscriber_;
   ros::WallTimer tick_timer_;

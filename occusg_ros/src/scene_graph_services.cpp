@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "occusg/error.hpp"
@@ -27,6 +29,23 @@ bool answer(Response& response, const std::string& problem, const std::string& s
   return true;
 }
 
+/// The storey a height is on, as `occusg::storeyAt` finds it in a graph; none where all rooms are
+/// on one storey, whatever the height is.
+std::optional<std::int32_t> storeyOf(const occusg::SceneGraphStamped& graph, double z_m) {
+  constexpr double kBelowFloor_m = 0.5;
+  const occusg::RoomInfo* highest = nullptr;  // of the floors at most half a metre above
+  const occusg::RoomInfo* lowest = nullptr;
+  bool has_several = false;
+  for (const occusg::RoomInfo& room : graph.rooms) {
+    has_several = has_several || room.floor_id != graph.rooms.front().floor_id;
+    if (!lowest || room.position.z < lowest->position.z) lowest = &room;
+    const bool is_below = room.position.z - kBelowFloor_m <= z_m;
+    if (is_below && (!highest || room.position.z > highest->position.z)) highest = &room;
+  }
+  if (!has_several) return std::nullopt;
+  return highest ? highest->floor_id : lowest->floor_id;
+}
+
 }  // namespace
 
 void SceneGraphNode::advertiseServices() {
@@ -37,6 +56,7 @@ void SceneGraphNode::advertiseServices() {
                nh.advertiseService("get_room_at", &SceneGraphNode::onGetRoomAt, this),
                nh.advertiseService("get_path", &SceneGraphNode::onGetPath, this),
                nh.advertiseService("set_room_label", &SceneGraphNode::onSetRoomLabel, this),
+               nh.advertiseService("set_storey", &SceneGraphNode::onSetStorey, this),
                nh.advertiseService("segment_map", &SceneGraphNode::onSegmentMap, this),
                own.advertiseService("save", &SceneGraphNode::onSave, this),
                own.advertiseService("load", &SceneGraphNode::onLoad, this),
@@ -83,8 +103,10 @@ bool SceneGraphNode::onGetRoomAt(occusg::GetRoomAt::Request& request,
     point = pose.T_target_source * point;
   }
   const GraphPtr graph = lastGraph();
+  const std::optional<std::int32_t> floor_id = storeyOf(*graph, point.z());
   for (const occusg::RoomInfo& room : graph->rooms) {
-    if (!contains(toPolygon(room.polygon), {point.x(), point.y()})) continue;
+    const bool is_on_it = !floor_id || room.floor_id == *floor_id;
+    if (!is_on_it || !contains(toPolygon(room.polygon), {point.x(), point.y()})) continue;
     response.room = room;
     return answer(response, "", room.name);
   }
@@ -98,11 +120,12 @@ bool SceneGraphNode::onGetPath(occusg::GetPath::Request& request,
   if (from == kNone) return answer(response, "the robot is in no room", "");
   const auto way = std::make_shared<RoomPath>();
   const std::string problem = onWorker([this, from, to = request.to_room, way, graph] {
-    *way = pathBetween(rooms_->graph(), layer_, from, to, settings_.robot_radius_m, graph->header);
+    *way = pathBetween(rooms_->graph(), layers_, from, to, settings_.robot_radius_m, graph->header);
   });
   if (!problem.empty()) return answer(response, problem, "");
   response.rooms = std::move(way->rooms);
   response.doors = std::move(way->doors);
+  response.stairs = std::move(way->stairs);
   response.length = way->length_m;
   response.path = std::move(way->path);
   return answer(response, "", std::to_string(response.rooms.size()) + " rooms on the way");
@@ -117,6 +140,27 @@ bool SceneGraphNode::onSetRoomLabel(occusg::SetRoomLabel::Request& request,
     publish(lastGraph()->header);
   });
   return answer(response, problem, "the label is set");
+}
+
+void SceneGraphNode::enterStorey(int floor_id, double floor_z_m) {
+  if (!settings_.mapping_node.empty()) {
+    throw occusg::refuse("set_storey", "~mapping_node is '" + settings_.mapping_node + "'",
+                         "a node that maps finds the storeys by itself; with finished maps, leave "
+                         "~mapping_node empty");
+  }
+  given_storeys_.enter(floor_id, floor_z_m);
+  awaits_map_ = true;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  waiting_.clear();
+  whole_grid_.reset();
+}
+
+bool SceneGraphNode::onSetStorey(occusg::SetStorey::Request& request,
+                                 occusg::SetStorey::Response& response) {
+  const std::string problem =
+      onWorker([this, id = request.floor_id, z_m = request.floor_z] { enterStorey(id, z_m); });
+  return answer(response, problem,
+                "the next map is taken for storey " + std::to_string(request.floor_id));
 }
 
 bool SceneGraphNode::onSegmentMap(occusg::SegmentMap::Request& request,

@@ -3,6 +3,7 @@
 #include <ros/service.h>
 #include <ros/time.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -26,6 +27,10 @@ bool isOfTheLayer(const std::string& name) {
   return name == "free_space.pgm" || name == "free_space.yaml";
 }
 
+bool isBelow(const occusg::StoreyLayer& a, const occusg::StoreyLayer& b) {
+  return a.storey.floor_z_m < b.storey.floor_z_m;
+}
+
 /// By the wall clock: simulated time begins anew, and its sessions are no less credible.
 void repair(occusg::SessionState& state, const std::string& folder) {
   constexpr double kTolerance_s = 5.0;
@@ -44,10 +49,20 @@ std::string SceneGraphNode::folderOf(const std::string& name) const {
          checkedSaveName(name);
 }
 
+occusg::FreeSpace SceneGraphNode::emptyLayer() const {
+  occusg::FreeSpace layer;
+  layer.frame.resolution_m = config_.occupancy.resolution_m;
+  return layer;
+}
+
+void SceneGraphNode::forgetLayers() { layers_.assign(rooms_->storeyCount(), emptyLayer()); }
+
 void SceneGraphNode::resetGraph() {
-  rooms_ = std::make_unique<occusg::RoomPipeline>(config_);
-  layer_ = {};
-  layer_.frame.resolution_m = config_.occupancy.resolution_m;
+  rooms_ = std::make_unique<occusg::BuildingPipeline>(config_);
+  given_storeys_ = GivenStoreys(config_.graph.rooms.floor_z_m);
+  has_mapped_storeys_ = false;
+  awaits_map_ = false;
+  forgetLayers();
   last_maintenance_s_.reset();
   std_msgs::Header header;
   header.stamp = ros::Time::now();
@@ -66,11 +81,18 @@ Saver::Writing SceneGraphNode::writingTo(const std::string& name, Saver::When wh
   rooms_->saveTo(*state);
   const bool has_layer = settings_.mapping_node.empty();
   return [this, name, when, has_layer, state = std::shared_ptr<const occusg::SessionState>(state),
-          layer = layer_, times = rooms_->times(), floor_z_m = config_.graph.rooms.floor_z_m] {
+          layers = layers_, graph = rooms_->graph(), times = rooms_->times(),
+          floor_z_m = config_.graph.rooms.floor_z_m] {
     if (name == kDefaultSaveName) generations_.makeRoom();
     const occusg::OutputFolder files(folderOf(name));
     occusg::saveSession(sessionIn(files.path()), *state);
-    const occusg::Findings findings{layer, state->graph.graph, floor_z_m, state->scene};
+    const occusg::Building& building = state->building;
+    occusg::Findings findings{layers[building.current], graph, floor_z_m, state->scene};
+    if (building.storeys.size() > 1) {
+      for (std::size_t storey = 0; storey < building.storeys.size(); ++storey)
+        findings.storeys.push_back({building.storeys[storey], &layers[storey]});
+      std::sort(findings.storeys.begin(), findings.storeys.end(), isBelow);
+    }
     for (const occusg::ResultWriter& file : occusg::resultWriters(findings, times)) {
       if (saver_.mayLeaveOff(when)) return;
       if (has_layer || !isOfTheLayer(file.name)) (void)files.write(file.name, file.write);
@@ -111,18 +133,23 @@ void SceneGraphNode::load(const std::string& name) {
   if (!settings_.mapping_node.empty())
     (void)occusg::readOctomap(mapFileIn(folder), config_.occupancy);
   // Into a fresh one: a session that cannot be used leaves the live graph as it is.
-  auto loaded = std::make_unique<occusg::RoomPipeline>(config_);
+  auto loaded = std::make_unique<occusg::BuildingPipeline>(config_);
   loaded->resumeFrom(session.state);
   rooms_ = std::move(loaded);
+  has_mapped_storeys_ = !settings_.mapping_node.empty() && rooms_->storeyCount() > 1;
+  awaits_map_ = false;
+  if (settings_.mapping_node.empty()) given_storeys_.resumeFrom(rooms_->building());
   last_pose_ = session.state.T_map_agent;
   last_maintenance_s_.reset();
   timeline_.goOnAfter(session.state.stamp_s, ros::Time::now().toSec());
   // Without a node that maps, what is there is the map of the session too.
-  if (settings_.mapping_node.empty() && !layer_.cells.empty()) {
-    rooms_->update(layer_, layer_.cells.box(), last_pose_, timeline_.last());
+  const bool has_the_map = settings_.mapping_node.empty() && rooms_->storeyCount() == 1 &&
+                           layers_.size() == 1 && !layers_.front().cells.empty();
+  if (has_the_map) {
+    layers_.front().changed = layers_.front().cells.box();
+    rooms_->update(0, viewOf(layers_.front()), last_pose_, timeline_.last());
   } else {
-    layer_ = {};
-    layer_.frame.resolution_m = config_.occupancy.resolution_m;
+    forgetLayers();
   }
   std_msgs::Header header;
   header.stamp = ros::Time::now();

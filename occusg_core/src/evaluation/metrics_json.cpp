@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "occusg/evaluation/metrics_json.hpp"
-
 #include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "occusg/evaluation/room_metrics.hpp"
 
 namespace occusg {
 namespace {

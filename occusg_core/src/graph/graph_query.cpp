@@ -214,13 +214,13 @@ std::vector<AdjacentRoom> adjacentRooms(const SceneGraph& graph, NodeId room) {
   return rooms;
 }
 
-RoomsOnTheWay roomsAlong(const SceneGraph& graph, const std::vector<Point2>& points) {
+RoomsOnTheWay roomsAlong(const SceneGraph& graph, const std::vector<Place>& places) {
   RoomsOnTheWay way;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::optional<NodeId> room = roomAt(graph, points[i]);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::optional<NodeId> room = roomAt(graph, places[i]);
     if (!room || (!way.rooms.empty() && way.rooms.back() == *room)) continue;
     if (!way.rooms.empty()) {
-      const Point2 crossing = midpoint({points[i - 1], points[i]});
+      const Point2 crossing = midpoint({places[i - 1].point, places[i].point});
       if (const auto door = doorBetween(graph, way.rooms.back(), *room, crossing))
         way.doors.push_back(*door);
     }

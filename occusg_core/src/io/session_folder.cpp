@@ -108,7 +108,7 @@ void saveParts(const std::string& folder, const Parts& parts, const SessionState
   putInPlace(fresh.path(), parent / place.filename());
 }
 
-void checkRooms(const SessionState& state, const std::string& where) {
+void checkRooms(const RoomPipelineState& state, const std::string& where) {
   for (const auto& [region, room] : state.graph.rooms.former_room_of_region) {
     const Node* node = state.graph.graph.find(room);
     if (node != nullptr && node->type() == NodeType::kRoom) continue;
@@ -118,14 +118,14 @@ void checkRooms(const SessionState& state, const std::string& where) {
   }
 }
 
-void checkObject(const SessionState& state, NodeId object, const std::string& where) {
+void checkObject(const RoomPipelineState& state, NodeId object, const std::string& where) {
   const Node* node = state.graph.graph.find(object);
   if (node != nullptr && node->type() == NodeType::kObject) return;
   throw refuse(where, "names object " + std::to_string(object),
                "an object of the session's graph is needed");
 }
 
-void checkObjects(const SessionState& state, const std::string& where) {
+void checkObjects(const RoomPipelineState& state, const std::string& where) {
   for (const auto& item : state.graph.objects.seen_apart) {
     checkObject(state, item.first.first, where);
     checkObject(state, item.first.second, where);
@@ -142,10 +142,11 @@ std::filesystem::path sessionAt(const std::string& folder) {
   return fs::exists(standing, failed) ? standing : fs::path(folder);
 }
 
-void addGraph(SessionJson& session, SceneGraph graph, const std::string& where) {
-  SessionState& state = session.state;
+void addGraph(SessionJson& session, std::size_t storey, SceneGraph graph,
+              const std::string& where) {
+  RoomPipelineState& state = session.roomsOf(storey);
   state.graph.graph = std::move(graph);
-  for (const auto& [type, id] : session.next_ids) {
+  for (const auto& [type, id] : session.next_ids[storey]) {
     try {
       state.graph.graph.skipIdsBefore(type, id);
     } catch (const Error& error) {
@@ -168,19 +169,31 @@ void checkSessionPlace(const std::string& folder) {
 
 namespace {
 
-std::function<void(std::ostream&)> writerOf(const SessionState& state) {
-  return [&state](std::ostream& out) { writeJson(state.graph.graph, state.scene, "map", out); };
+/// The parts of a session that hold its graphs.
+/// @param state outlives them.
+Parts graphsOf(const SessionState& state) {
+  Parts parts;
+  const auto add = [&](std::size_t storey, const RoomPipelineState& rooms) {
+    parts[graphFileOf(storey)] = [&rooms, &state](std::ostream& out) {
+      writeJson(rooms.graph.graph, state.scene, "map", out);
+    };
+  };
+  add(0, state);
+  for (std::size_t i = 0; i < state.further_storeys.size(); ++i)
+    add(i + 1, state.further_storeys[i]);
+  return parts;
 }
 
 }  // namespace
 
 void saveSession(const std::string& folder, const octomap::OcTree& map, const SessionState& state) {
-  const auto write_map = [&](std::ostream& out) { writeOctomap(map, OctomapEncoding::kFull, out); };
-  saveParts(folder, {{kMapFile, write_map}, {kGraphFile, writerOf(state)}}, state);
+  Parts parts = graphsOf(state);
+  parts[kMapFile] = [&](std::ostream& out) { writeOctomap(map, OctomapEncoding::kFull, out); };
+  saveParts(folder, parts, state);
 }
 
 void saveSession(const std::string& folder, const SessionState& state) {
-  saveParts(folder, {{kGraphFile, writerOf(state)}}, state);
+  saveParts(folder, graphsOf(state), state);
 }
 
 Session loadSession(const std::string& folder, const OccupancyMapConfig& config) {
@@ -192,11 +205,11 @@ Session loadSession(const std::string& folder, const OccupancyMapConfig& config)
     (void)checkedFile(place, kMapFile, mark->second);
     map = readOctomap((place / kMapFile).string(), config);
   }
-  const std::string graph_path = (place / kGraphFile).string();
-  addGraph(session,
-           parseSceneGraph(checkedFile(place, kGraphFile, session.files.at(kGraphFile)), graph_path)
-               .graph,
-           path);
+  for (std::size_t storey = 0; storey < session.storeyCount(); ++storey) {
+    const std::string name = graphFileOf(storey);
+    const std::string bytes = checkedFile(place, name, session.files.at(name));
+    addGraph(session, storey, parseSceneGraph(bytes, (place / name).string()).graph, path);
+  }
   return {std::move(map), std::move(session.state)};
 }
 

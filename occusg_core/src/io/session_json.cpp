@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/session_json.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
+#include "io/building_json.hpp"
 #include "io/graph_json.hpp"
 #include "io/json_text.hpp"
 #include "io/polygon_json.hpp"
@@ -107,13 +109,15 @@ Pose poseIn(const json& value, const std::string& where) {
   return pose;
 }
 
-std::map<std::string, FileMark> filesIn(const json& value, const std::string& where) {
+std::map<std::string, FileMark> filesIn(const json& value, const std::string& where,
+                                        std::size_t storeys) {
   std::map<std::string, FileMark> files;
-  std::vector<const char*> names = {"scene_graph.json"};
-  if (value.is_object() && value.contains("map.ot")) names.push_back("map.ot");
-  for (const char* name : names) {
+  std::vector<std::string> names;
+  for (std::size_t storey = 0; storey < storeys; ++storey) names.push_back(graphFileOf(storey));
+  if (value.is_object() && value.contains("map.ot")) names.emplace_back("map.ot");
+  for (const std::string& name : names) {
     const std::string place = where + " " + name;
-    const json& mark = member(value, name, where);
+    const json& mark = member(value, name.c_str(), where);
     const json& bytes = member(mark, "bytes", place);
     const std::string checksum = stringOf(member(mark, "fnv1a", place), place + " fnv1a");
     FileMark& read = files[name];
@@ -219,55 +223,104 @@ void checkSessionKind(const json& document, const std::string& where) {
                  std::string("\"") + kFormat + "\" is needed");
   }
   const int version = integerOf(member(document, "version", where), where + ": version");
-  if (version != kSessionVersion) {
+  if (version != kSessionVersion && version != kStoreysSessionVersion) {
     throw refuse(where, "has version " + std::to_string(version),
-                 "version " + std::to_string(kSessionVersion) + " is read");
+                 "version " + std::to_string(kSessionVersion) + " or " +
+                     std::to_string(kStoreysSessionVersion) + " is read");
   }
+}
+
+using JsonMembers = std::vector<std::pair<std::string, json>>;
+
+/// What one storey's rooms follow from.
+JsonMembers membersOf(const RoomPipelineState& rooms) {
+  return {{"last_room_update_s", optionalStampOf(rooms.last_room_update_s)},
+          {"last_graph_update_s", optionalStampOf(rooms.graph.last_update_s)},
+          {"last_maintenance_s", stampOf(rooms.graph.last_maintenance_s)},
+          {"next_ids", nextIdsOf(rooms.graph.graph)},
+          {"next_region_id", rooms.tracker.next_id},
+          {"regions", tracksOf(rooms.tracker)},
+          {"region_first_seen_s", pairsOf(rooms.graph.rooms.first_seen_s)},
+          {"former_room_of_region", pairsOf(rooms.graph.rooms.former_room_of_region)},
+          {"objects_seen_apart", seenApartOf(rooms.graph.objects.seen_apart)},
+          {"object_free_checks", pairsOf(rooms.graph.objects.free_checks)},
+          {"last_checked_object", rooms.graph.objects.last_checked}};
+}
+
+RoomPipelineState roomsIn(const json& document, const std::string& where) {
+  RoomPipelineState rooms;
+  rooms.last_room_update_s = optionalStamp(document, "last_room_update_s", where);
+  rooms.graph.last_update_s = optionalStamp(document, "last_graph_update_s", where);
+  rooms.graph.last_maintenance_s =
+      numberOf(member(document, "last_maintenance_s", where), where + ": last_maintenance_s");
+  rooms.tracker = trackerIn(document, where);
+  rooms.graph.rooms.first_seen_s = pairsIn<int, double>(
+      member(document, "region_first_seen_s", where), where + ": region_first_seen_s", numberOf);
+  rooms.graph.rooms.former_room_of_region =
+      pairsIn<int, NodeId>(member(document, "former_room_of_region", where),
+                           where + ": former_room_of_region", integerOf);
+  rooms.graph.objects = objectsIn(document, where);
+  return rooms;
+}
+
+/// Whether there is anything to tell: a floor was seen, or there are storeys without a sensor.
+bool isKnown(const Building& building) {
+  return building.storeys.size() > 1 || building.sensor_height_m > 0.0;
 }
 
 }  // namespace
 
+std::string graphFileOf(std::size_t storey) {
+  return storey == 0 ? "scene_graph.json" : "scene_graph_" + std::to_string(storey) + ".json";
+}
+
 std::string toSessionJson(const SessionState& state, const std::map<std::string, FileMark>& files) {
-  return jsonDocument({{"format", kFormat},
-                       {"version", kSessionVersion},
-                       {"scene", state.scene},
-                       {"files", filesOf(files)},
-                       {"stamp_s", stampOf(state.stamp_s)},
-                       {"pose", poseOf(state.T_map_agent)},
-                       {"last_room_update_s", optionalStampOf(state.last_room_update_s)},
-                       {"last_graph_update_s", optionalStampOf(state.graph.last_update_s)},
-                       {"last_maintenance_s", stampOf(state.graph.last_maintenance_s)},
-                       {"next_ids", nextIdsOf(state.graph.graph)},
-                       {"next_region_id", state.tracker.next_id},
-                       {"regions", tracksOf(state.tracker)},
-                       {"region_first_seen_s", pairsOf(state.graph.rooms.first_seen_s)},
-                       {"former_room_of_region", pairsOf(state.graph.rooms.former_room_of_region)},
-                       {"objects_seen_apart", seenApartOf(state.graph.objects.seen_apart)},
-                       {"object_free_checks", pairsOf(state.graph.objects.free_checks)},
-                       {"last_checked_object", state.graph.objects.last_checked}});
+  const int version = state.further_storeys.empty() ? kSessionVersion : kStoreysSessionVersion;
+  JsonMembers members = {{"format", kFormat},
+                         {"version", version},
+                         {"scene", state.scene},
+                         {"files", filesOf(files)},
+                         {"stamp_s", stampOf(state.stamp_s)},
+                         {"pose", poseOf(state.T_map_agent)}};
+  for (auto& member : membersOf(state)) members.push_back(std::move(member));
+  if (isKnown(state.building)) members.emplace_back("building", jsonOf(state.building));
+  if (!state.further_storeys.empty()) {
+    json further = json::array();
+    for (const RoomPipelineState& rooms : state.further_storeys) {
+      json storey = json::object();
+      for (auto& [key, value] : membersOf(rooms)) storey[key] = std::move(value);
+      further.push_back(std::move(storey));
+    }
+    members.emplace_back("further_storeys", std::move(further));
+  }
+  return jsonDocument(members);
 }
 
 SessionJson parseSessionJson(const std::string& text, const std::string& where) {
   const json document = parseJson(text, where);
   checkSessionKind(document, where);
   SessionJson session;
-  session.files = filesIn(member(document, "files", where), where + ": files");
   SessionState& state = session.state;
   state.scene = stringOf(member(document, "scene", where), where + ": scene");
   state.stamp_s = numberOf(member(document, "stamp_s", where), where + ": stamp_s");
   state.T_map_agent = poseIn(member(document, "pose", where), where + ": pose");
-  state.last_room_update_s = optionalStamp(document, "last_room_update_s", where);
-  state.graph.last_update_s = optionalStamp(document, "last_graph_update_s", where);
-  state.graph.last_maintenance_s =
-      numberOf(member(document, "last_maintenance_s", where), where + ": last_maintenance_s");
-  session.next_ids = nextIdsIn(member(document, "next_ids", where), where + ": next_ids");
-  state.tracker = trackerIn(document, where);
-  state.graph.rooms.first_seen_s = pairsIn<int, double>(
-      member(document, "region_first_seen_s", where), where + ": region_first_seen_s", numberOf);
-  state.graph.rooms.former_room_of_region =
-      pairsIn<int, NodeId>(member(document, "former_room_of_region", where),
-                           where + ": former_room_of_region", integerOf);
-  state.graph.objects = objectsIn(document, where);
+  static_cast<RoomPipelineState&>(state) = roomsIn(document, where);
+  session.next_ids = {nextIdsIn(member(document, "next_ids", where), where + ": next_ids")};
+  if (const json* building = optionalMember(document, "building", where))
+    state.building = buildingIn(*building, where + ": building");
+  if (const json* further = optionalMember(document, "further_storeys", where)) {
+    const std::string place = where + ": further_storeys";
+    for (const json& rooms : arrayOf(*further, place)) {
+      session.next_ids.push_back(nextIdsIn(member(rooms, "next_ids", place), place + ": next_ids"));
+      state.further_storeys.push_back(roomsIn(rooms, place));
+    }
+  }
+  const std::size_t storeys = std::max<std::size_t>(1, state.building.storeys.size());
+  if (session.storeyCount() != storeys) {
+    throw refuse(where, "has the rooms of " + std::to_string(session.storeyCount()) + " storeys",
+                 "the building has " + std::to_string(storeys));
+  }
+  session.files = filesIn(member(document, "files", where), where + ": files", storeys);
   return session;
 }
 

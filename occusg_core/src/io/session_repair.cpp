@@ -41,9 +41,8 @@ bool visitStamps(Node& node, const std::function<void(double&)>& visit) {
   return is_changed;
 }
 
-/// Calls `visit` with every stamp of a state that may be changed.
-void forEachStamp(SessionState& state, const std::function<void(double&)>& visit) {
-  visit(state.stamp_s);
+/// Calls `visit` with every stamp of the rooms of a storey that may be changed.
+void forEachStamp(RoomPipelineState& state, const std::function<void(double&)>& visit) {
   if (state.last_room_update_s) visit(*state.last_room_update_s);
   if (state.graph.last_update_s) visit(*state.graph.last_update_s);
   visit(state.graph.last_maintenance_s);
@@ -57,6 +56,12 @@ void forEachStamp(SessionState& state, const std::function<void(double&)>& visit
     }
     for (Node& node : changed) graph.update(std::move(node));
   }
+}
+
+void forEachStamp(SessionState& state, const std::function<void(double&)>& visit) {
+  visit(state.stamp_s);
+  forEachStamp(static_cast<RoomPipelineState&>(state), visit);
+  for (RoomPipelineState& rooms : state.further_storeys) forEachStamp(rooms, visit);
 }
 
 bool isMisplaced(const json& node) {
@@ -162,10 +167,13 @@ RepairedSession readForRepair(const std::string& folder, const OccupancyMapConfi
   std::optional<OccupancyMap> map;
   if (const auto mark = session.files.find(kMapFile); mark != session.files.end())
     map = mapIn(place / kMapFile, mark->second, config, repairs);
-  const std::string graph_path = (place / kGraphFile).string();
-  const std::string text = partOf(place / kGraphFile, session.files.at(kGraphFile), repairs);
-  addGraph(session, parseSceneGraph(withoutMisplaced(text, graph_path, repairs), graph_path).graph,
-           path);
+  for (std::size_t storey = 0; storey < session.storeyCount(); ++storey) {
+    const std::string name = graphFileOf(storey);
+    const std::string graph_path = (place / name).string();
+    const std::string text = partOf(place / name, session.files.at(name), repairs);
+    addGraph(session, storey,
+             parseSceneGraph(withoutMisplaced(text, graph_path, repairs), graph_path).graph, path);
+  }
   repairPose(session.state, repairs);
   if (const std::size_t stamps = repairStamps(session.state, latest_s); stamps > 0)
     repairs.push_back(std::to_string(stamps) + " stamps were from the future");

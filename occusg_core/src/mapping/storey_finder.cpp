@@ -122,7 +122,7 @@ bool StoreyFinder::observe(const VoxelColumns& columns, const Eigen::Vector3d& p
     standOn(*storey, *level, position.z());
   } else if (isStorey(*level, position)) {
     add(level->z_m);
-    standOn(storeys_.size() - 1, *level, position.z());
+    standOn(building_.storeys.size() - 1, *level, position.z());
     is_new = true;
   }
   followFeet(columns, position);
@@ -131,11 +131,12 @@ bool StoreyFinder::observe(const VoxelColumns& columns, const Eigen::Vector3d& p
 
 std::optional<StoreyFinder::Level> StoreyFinder::levelNear(const VoxelColumns& columns,
                                                            const Eigen::Vector3d& position) {
-  const bool height_is_known = !storeys_.empty();
-  const double lowest_m = height_is_known ? sensor_height_m_ + kSensorSway_m : kHighestSensor_m;
-  const double highest_m = height_is_known
-                               ? std::max(kLowestSensor_m, sensor_height_m_ - kSensorSway_m)
-                               : kLowestSensor_m;
+  const bool height_is_known = !building_.storeys.empty();
+  const double lowest_m =
+      height_is_known ? building_.sensor_height_m + kSensorSway_m : kHighestSensor_m;
+  const double highest_m =
+      height_is_known ? std::max(kLowestSensor_m, building_.sensor_height_m - kSensorSway_m)
+                      : kLowestSensor_m;
   const VoxelRun heights{static_cast<int>(std::floor((position.z() - lowest_m) / resolution_m_)),
                          static_cast<int>(std::ceil((position.z() - highest_m) / resolution_m_))};
   const int headroom = static_cast<int>(std::ceil(kHeadroom_m / resolution_m_));
@@ -163,28 +164,30 @@ std::optional<StoreyFinder::Level> StoreyFinder::levelNear(const VoxelColumns& c
 }
 
 std::optional<std::size_t> StoreyFinder::storeyAt(double z_m) const {
-  const auto nearest =
-      std::min_element(storeys_.begin(), storeys_.end(), [z_m](const Storey& a, const Storey& b) {
+  const auto nearest = std::min_element(
+      building_.storeys.begin(), building_.storeys.end(), [z_m](const Storey& a, const Storey& b) {
         return std::abs(a.floor_z_m - z_m) < std::abs(b.floor_z_m - z_m);
       });
-  if (nearest == storeys_.end() || std::abs(nearest->floor_z_m - z_m) > kSameStorey_m)
+  if (nearest == building_.storeys.end() || std::abs(nearest->floor_z_m - z_m) > kSameStorey_m)
     return std::nullopt;
-  return static_cast<std::size_t>(nearest - storeys_.begin());
+  return static_cast<std::size_t>(nearest - building_.storeys.begin());
 }
 
 void StoreyFinder::standOn(std::size_t storey, const Level& level, double sensor_z_m) {
-  current_ = storey;
+  building_.current = storey;
   candidate_.reset();
   const double height_m = sensor_z_m - level.z_m;
-  const bool is_usual = heights_ == 0 || std::abs(height_m - sensor_height_m_) <= kHeightNoise_m;
+  const bool is_usual =
+      heights_ == 0 || std::abs(height_m - building_.sensor_height_m) <= kHeightNoise_m;
   if (level.area_m2 < kLeastFloor_m2 || !is_usual) return;
   heights_ = std::min(heights_ + 1, kRememberedHeights);
-  sensor_height_m_ += (height_m - sensor_height_m_) / static_cast<double>(heights_);
+  building_.sensor_height_m +=
+      (height_m - building_.sensor_height_m) / static_cast<double>(heights_);
 }
 
 void StoreyFinder::followFeet(const VoxelColumns& columns, const Eigen::Vector3d& position) {
-  if (storeys_.empty() || heights_ == 0) return;
-  const Eigen::Vector3d feet = position - sensor_height_m_ * Eigen::Vector3d::UnitZ();
+  if (building_.storeys.empty() || heights_ == 0) return;
+  const Eigen::Vector3d feet = position - building_.sensor_height_m * Eigen::Vector3d::UnitZ();
   const bool was_carried =
       !trail_.empty() && (feet - trail_.back()).head<2>().norm() > kLongestStep_m;
   if (was_carried || trail_.size() >= kLongestTrail) {
@@ -192,15 +195,16 @@ void StoreyFinder::followFeet(const VoxelColumns& columns, const Eigen::Vector3d
     stood_on_.reset();
   }
   trail_.push_back(feet);
-  if (std::abs(feet.z() - storeys_[current_].floor_z_m) > kOnFloor_m) return;
-  if (stood_on_ && *stood_on_ != current_) addPassage(columns, *stood_on_, current_);
-  stood_on_ = current_;
+  if (std::abs(feet.z() - building_.storeys[building_.current].floor_z_m) > kOnFloor_m) return;
+  if (stood_on_ && *stood_on_ != building_.current)
+    addPassage(columns, *stood_on_, building_.current);
+  stood_on_ = building_.current;
   trail_.assign(1, feet);
 }
 
 /// The trail led from the one storey to the other.
 void StoreyFinder::addPassage(const VoxelColumns& columns, std::size_t from, std::size_t to) {
-  const double floor_m = storeys_[to].floor_z_m;
+  const double floor_m = building_.storeys[to].floor_z_m;
   const auto arrival =
       std::find_if(trail_.begin(), trail_.end(), [floor_m](const Eigen::Vector3d& feet) {
         return std::abs(feet.z() - floor_m) <= kOnFloor_m;
@@ -209,23 +213,23 @@ void StoreyFinder::addPassage(const VoxelColumns& columns, std::size_t from, std
   passage.path.assign(trail_.begin(), arrival == trail_.end() ? arrival : std::next(arrival));
   std::size_t lower = from;
   std::size_t upper = to;
-  if (storeys_[from].floor_z_m > storeys_[to].floor_z_m) {
+  if (building_.storeys[from].floor_z_m > building_.storeys[to].floor_z_m) {
     std::swap(lower, upper);
     std::reverse(passage.path.begin(), passage.path.end());
   }
-  passage.lower_storey = storeys_[lower].id;
-  passage.upper_storey = storeys_[upper].id;
-  const bool is_known =
-      std::any_of(passages_.begin(), passages_.end(), [&passage](const StoreyPassage& known) {
-        return known.lower_storey == passage.lower_storey &&
-               known.upper_storey == passage.upper_storey &&
-               areNear(known.path.front(), passage.path.front()) &&
-               areNear(known.path.back(), passage.path.back());
-      });
+  passage.lower_storey = building_.storeys[lower].id;
+  passage.upper_storey = building_.storeys[upper].id;
+  const bool is_known = std::any_of(building_.passages.begin(), building_.passages.end(),
+                                    [&passage](const StoreyPassage& known) {
+                                      return known.lower_storey == passage.lower_storey &&
+                                             known.upper_storey == passage.upper_storey &&
+                                             areNear(known.path.front(), passage.path.front()) &&
+                                             areNear(known.path.back(), passage.path.back());
+                                    });
   if (is_known) return;
   passage.kind = kindOf(passage.path);
   if (passage.kind == StairsKind::kStairs) passage.risers = risersAlong(columns, passage.path);
-  passages_.push_back(std::move(passage));
+  building_.passages.push_back(std::move(passage));
 }
 
 /// Counts the treads near a path, by the heights at which many columns show one; the upper floor
@@ -257,8 +261,8 @@ int StoreyFinder::risersAlong(const VoxelColumns& columns,
 
 bool StoreyFinder::isStorey(const Level& level, const Eigen::Vector3d& position) {
   if (level.area_m2 < kLeastFloor_m2) return false;
-  if (storeys_.empty()) return true;
-  if (storeys_.size() >= kMostStoreys) return false;
+  if (building_.storeys.empty()) return true;
+  if (building_.storeys.size() >= kMostStoreys) return false;
   if (!candidate_ || std::abs(candidate_->z_m - level.z_m) > 2.0 * resolution_m_)
     candidate_ = Candidate{level.z_m, 0, {}};
   ++candidate_->looks;
@@ -269,16 +273,14 @@ bool StoreyFinder::isStorey(const Level& level, const Eigen::Vector3d& position)
 }
 
 void StoreyFinder::add(double floor_z_m) {
-  storeys_.push_back({static_cast<int>(storeys_.size()), floor_z_m, {}});
-  std::vector<Storey*> by_height;
-  for (Storey& storey : storeys_) by_height.push_back(&storey);
-  std::sort(by_height.begin(), by_height.end(),
-            [](const Storey* a, const Storey* b) { return a->floor_z_m < b->floor_z_m; });
-  for (std::size_t i = 1; i < by_height.size(); ++i) {
-    const double boundary_m = by_height[i]->floor_z_m - kStoreyBelowFloor_m;
-    by_height[i - 1]->span.top_m = boundary_m;
-    by_height[i]->span.bottom_m = boundary_m;
-  }
+  building_.storeys.push_back({static_cast<int>(building_.storeys.size()), floor_z_m, {}});
+  divideHeights(building_.storeys);
+}
+
+void StoreyFinder::resumeFrom(const Building& building) {
+  building_ = building;
+  divideHeights(building_.storeys);
+  heights_ = building.sensor_height_m > 0.0 ? kRememberedHeights : 0;
 }
 
 }  // namespace occusg

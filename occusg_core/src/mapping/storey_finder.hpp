@@ -22,7 +22,7 @@ class VoxelColumns;
 /// offer neither.
 ///
 ///     StoreyFinder finder(0.05);
-///     if (finder.observe(map.columns(), camera)) // the spans of finder.storeys() are others
+///     if (finder.observe(map.columns(), camera)) // finder.building() has one storey more
 class StoreyFinder {
  public:
   /// @param resolution_m of the map.
@@ -33,12 +33,12 @@ class StoreyFinder {
   /// @return whether a storey was found.
   bool observe(const VoxelColumns& columns, const Eigen::Vector3d& position);
 
-  /// In the order of their ids. Empty until a floor was seen.
-  [[nodiscard]] const std::vector<Storey>& storeys() const { return storeys_; }
-  /// The ways between storeys that the robot went, each once, whichever way it went.
-  [[nodiscard]] const std::vector<StoreyPassage>& passages() const { return passages_; }
-  /// Index of the storey the robot is on, or was on last; 0 before there is one.
-  [[nodiscard]] std::size_t current() const { return current_; }
+  /// What was found. Without storeys until a floor was seen; every way between two storeys is there
+  /// once, whichever way and however often the robot went it.
+  [[nodiscard]] const Building& building() const { return building_; }
+
+  /// Goes on with what another finder found. Before the first pose.
+  void resumeFrom(const Building& building);
 
  private:
   /// A level floor near a pose.
@@ -67,14 +67,11 @@ class StoreyFinder {
   void add(double floor_z_m);
 
   double resolution_m_;
-  std::vector<Storey> storeys_;
-  std::size_t current_ = 0;
+  Building building_;
   std::optional<Candidate> candidate_;
   std::optional<Eigen::Vector3d> last_position_;  ///< Of the last look.
   std::size_t frames_on_the_spot_ = 0;            ///< Since the last look.
-  double sensor_height_m_ = 0.0;  ///< Mean height above the floor, once there is a storey.
-  std::size_t heights_ = 0;       ///< How many went into it.
-  std::vector<StoreyPassage> passages_;
+  std::size_t heights_ = 0;                       ///< How many went into the sensor's height.
   std::optional<std::size_t> stood_on_;  ///< The storey whose floor was under the feet last.
   std::vector<Eigen::Vector3d> trail_;   ///< Feet since then, that place first.
   ColumnBits bits_;                      ///< Reused between columns.

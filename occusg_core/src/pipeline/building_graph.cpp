@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "occusg/graph/graph_query.hpp"
+#include "occusg/pipeline/building_pipeline.hpp"
 
 namespace occusg {
 namespace {
@@ -14,9 +15,6 @@ namespace {
 constexpr double kHalfWidth_m = 0.45;
 /// The ends of a passage are so near to rooms and navigation nodes.
 constexpr double kEndReach_m = 2.0;
-
-/// Each storey numbers its regions from 1.
-constexpr int kRegionsOfAStorey = 10'000'000;
 
 /// Agents and objects have a height of their own: before a storey is found, those on it come to the
 /// graph of the storey the robot came from.

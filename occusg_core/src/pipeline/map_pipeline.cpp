@@ -45,7 +45,7 @@ MapPipeline::MapPipeline(const PipelineConfig& config, Storeys storeys)
       finder_(storeys == Storeys::kFound
                   ? std::make_unique<StoreyFinder>(config.occupancy.resolution_m).release()
                   : nullptr),
-      storeys_(1),
+      building_{std::vector<Storey>(1), {}, 0, 0.0},
       layers_(1, FreeSpaceLayer(config.free_space, GridFrame{config.occupancy.resolution_m})),
       changes_(1),
       layer_config_(config.free_space) {}
@@ -54,11 +54,32 @@ void MapPipeline::DeleteFinder::operator()(StoreyFinder* finder) const noexcept 
   std::default_delete<StoreyFinder>{}(finder);
 }
 
-const FreeSpace& MapPipeline::startFrom(OccupancyMap map) {
-  const FreeSpace& layer = layers_.front().recompute(map);
+const FreeSpace& MapPipeline::startFrom(OccupancyMap map, const Building& building) {
+  const bool has_storeys = finder_ && building.storeys.size() > 1;
+  if (has_storeys) {
+    std::vector<Storey> storeys = building.storeys;
+    divideHeights(storeys);
+    layers_ = layersOf(map, storeys);
+  } else {
+    layers_.front().recompute(map);
+  }
   occupancy_ = std::move(map);
-  note(0);
-  return layer;
+  if (finder_ && !building.storeys.empty()) {
+    finder_->resumeFrom(building);
+    takeOver(finder_->building());
+  }
+  changes_.resize(layers_.size());
+  for (std::size_t storey = 0; storey < layers_.size(); ++storey) note(storey);
+  return freeSpace();
+}
+
+std::vector<FreeSpaceLayer> MapPipeline::layersOf(const OccupancyMap& map,
+                                                  const std::vector<Storey>& storeys) const {
+  const FreeSpaceLayer empty(layer_config_, layers_.front().freeSpace().frame);
+  std::vector<FreeSpaceLayer> layers(storeys.size(), empty);
+  for (std::size_t storey = 0; storey < storeys.size(); ++storey)
+    layers[storey].confine(map, storeys[storey].span);
+  return layers;
 }
 
 FrameReport MapPipeline::process(const DepthFrame& frame) {
@@ -96,7 +117,7 @@ void MapPipeline::updateLayers(const RangeImage& image, const MapChange& change)
   const double resolution_m = occupancy_.config().resolution_m;
   const HeightSpan seen = heightsSeen(image, resolution_m);
   for (std::size_t storey = 0; storey < layers_.size(); ++storey) {
-    const HeightSpan& span = storeys_[storey].span;
+    const HeightSpan& span = building_.storeys[storey].span;
     // A column matters to a storey down to the least fall below it, in whole voxels.
     const double lowest_m = span.bottom_m - kLeastFall_m - resolution_m;
     const bool is_touched = seen.bottom_m < span.top_m && seen.top_m > lowest_m;
@@ -105,24 +126,29 @@ void MapPipeline::updateLayers(const RangeImage& image, const MapChange& change)
   }
 }
 
-const std::vector<StoreyPassage>& MapPipeline::passages() const {
-  static const std::vector<StoreyPassage> kNone;
-  return finder_ ? finder_->passages() : kNone;
-}
-
 void MapPipeline::followStoreys(const Eigen::Vector3d& position) {
   if (!finder_) return;
   const bool is_new = finder_->observe(occupancy_.columns(), position);
-  if (finder_->storeys().empty()) return;
-  storeys_ = finder_->storeys();
-  current_ = finder_->current();
-  if (!is_new || storeys_.size() == 1) return;
-  layers_.resize(storeys_.size(), FreeSpaceLayer(layer_config_, layers_.front().freeSpace().frame));
-  changes_.resize(storeys_.size());
+  takeOver(finder_->building());
+  if (!is_new || building_.storeys.size() == 1) return;
+  layers_.resize(building_.storeys.size(),
+                 FreeSpaceLayer(layer_config_, layers_.front().freeSpace().frame));
+  changes_.resize(building_.storeys.size());
   for (std::size_t storey = 0; storey < layers_.size(); ++storey) {
-    layers_[storey].confine(occupancy_, storeys_[storey].span);
+    layers_[storey].confine(occupancy_, building_.storeys[storey].span);
     note(storey);
   }
+}
+
+/// Storeys and ways are only ever added, so that their numbers tell whether there is anything new.
+void MapPipeline::takeOver(const Building& building) {
+  if (building.storeys.empty()) return;
+  building_.current = building.current;
+  building_.sensor_height_m = building.sensor_height_m;
+  if (!has_floor_ || building.storeys.size() != building_.storeys.size())
+    building_.storeys = building.storeys;
+  has_floor_ = true;
+  if (building.passages.size() != building_.passages.size()) building_.passages = building.passages;
 }
 
 void MapPipeline::note(std::size_t storey) {

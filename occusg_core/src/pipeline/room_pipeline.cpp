@@ -79,6 +79,15 @@ void RoomPipeline::maintain(const Pose& T_map_robot, double stamp_s) {
   });
 }
 
+void RoomPipeline::maintainUnattended(const FreeSpace& layer, double stamp_s) {
+  if (!last_update_s_) return;
+  MapView unchanged;
+  unchanged.layer = &layer;
+  timed(times_, Stage::kGraph, [&]() -> const SceneGraph& {
+    return graph_.updateUnattended(tracker_.regions(), stamp_s, unchanged);
+  });
+}
+
 void RoomPipeline::finish(double stamp_s) {
   timed(times_, Stage::kGraph, [&]() -> const SceneGraph& { return graph_.finish(stamp_s); });
 }
@@ -98,17 +107,15 @@ RoomCounts RoomPipeline::counts() const {
   return counts;
 }
 
-void RoomPipeline::saveTo(SessionState& state) const {
-  state.last_room_update_s = last_update_s_;
-  state.tracker = tracker_.state();
-  state.graph = graph_.state();
+RoomPipelineState RoomPipeline::state() const {
+  return {last_update_s_, tracker_.state(), graph_.state()};
 }
 
-void RoomPipeline::resumeFrom(const SessionState& state) {
+void RoomPipeline::resumeFrom(const RoomPipelineState& state, double stamp_s) {
   last_update_s_ = state.last_room_update_s;
   decomposer_->reset();
   tracker_.restore(state.tracker);
-  graph_.restore(state.graph, state.stamp_s);
+  graph_.restore(state.graph, stamp_s);
 }
 
 StageTimes RoomPipeline::times() const {

@@ -11,7 +11,7 @@
 
 #include "evaluation/score_estimates.hpp"
 #include "io/json_text.hpp"
-#include "occusg/evaluation/metrics_json.hpp"
+#include "occusg/evaluation/room_metrics.hpp"
 
 namespace occusg {
 namespace {

@@ -31,15 +31,25 @@ struct GraphView {
   std::string scene;
   std::uint64_t sequence = 0;
   std_msgs::Header header;
+  int floor_id = 0;  ///< Of the storey the robot is on.
 };
 
 [[nodiscard]] geometry_msgs::Point toPointMsg(const occusg::Point2& point, double z_m = 0.0);
-[[nodiscard]] occusg::PolygonWithHoles toPolygonMsg(const occusg::Polygon& polygon);
+[[nodiscard]] occusg::PolygonWithHoles toPolygonMsg(const occusg::Polygon& polygon,
+                                                    double z_m = 0.0);
 [[nodiscard]] occusg::Polygon toPolygon(const occusg::PolygonWithHoles& polygon);
 
+/// The regions of one storey, which a building numbers apart from those of the others.
+struct StoreyRegions {
+  const occusg::TrackedRegions& regions;
+  int floor_id = 0;
+  double floor_z_m = 0.0;
+};
+
 [[nodiscard]] std::vector<occusg::RegionInfo> toRegionMsgs(
-    const std::vector<occusg::Region>& regions);
-[[nodiscard]] occusg::RegionArray toRegionArray(const occusg::TrackedRegions& regions,
+    const std::vector<occusg::Region>& regions, int floor_id = 0, double floor_z_m = 0.0);
+/// @param storeys in the order of their ids.
+[[nodiscard]] occusg::RegionArray toRegionArray(const std::vector<StoreyRegions>& storeys,
                                                 std::uint64_t sequence,
                                                 const std_msgs::Header& header);
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "occusg/graph/scene_graph.hpp"
-#include "occusg/regions/region_tracker.hpp"
+#include "occusg_ros/graph_conversions.hpp"
 
 namespace occusg_ros {
 
@@ -28,13 +28,15 @@ struct MarkerLayout {
 
 /// A graph as it is drawn, by namespace and id. Namespaces: room_floors, room_outlines, rooms,
 /// room_labels, room_stems, adjacency, doors, objects, object_labels, navigation, navigation_edges,
-/// containment, trajectory, regions. Ids are those of the nodes and regions, so a marker keeps its
-/// id and a room its colour as long as they exist.
+/// containment, trajectory, stairs, regions. Ids are those of the nodes and regions, so a marker
+/// keeps its id and a room its colour as long as they exist.
 using MarkerSet = std::map<std::pair<std::string, std::int32_t>, visualization_msgs::Marker>;
 
+/// @param storeys of the building. Where there are several, the nodes of rooms stay below the floor
+/// above them, whatever height the layout gives them.
 [[nodiscard]] MarkerSet drawGraph(const occusg::SceneGraph& graph,
-                                  const occusg::TrackedRegions& regions, const MarkerLayout& layout,
-                                  const std_msgs::Header& header);
+                                  const std::vector<StoreyRegions>& storeys,
+                                  const MarkerLayout& layout, const std_msgs::Header& header);
 
 /// What leads from `shown` to `wanted`: ADD for markers that are new or look different, DELETE for
 /// those that vanished.

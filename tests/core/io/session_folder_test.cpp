@@ -263,7 +263,7 @@ TEST_F(SessionFolder, FailureMode17EveryTruncationOfTheIndexIsRefused) {
 
 TEST_F(SessionFolder, ValuesThatCannotBeAreNamed) {
   const std::vector<std::vector<std::string>> cases = {
-      {"\"version\": 1", "\"version\": 2", "version 2"},
+      {"\"version\": 1", "\"version\": 3", "version 3"},
       {"\"next_region_id\": 9", "\"next_region_id\": 5", "region 5"},
       {"[[5,4000000]]", "[[5,4000001]]", "names room 4000001"},
       {"\"ROOM\":4000002", "\"ROOM\":7", "7 is no id of type ROOM"},

@@ -10,7 +10,6 @@
 #include "occusg/geometry/polygon_overlap.hpp"
 #include "occusg/io/session_folder.hpp"
 #include "occusg/pipeline/pipeline.hpp"
-#include "occusg/pipeline/room_pipeline.hpp"
 #include "temporary_folder.hpp"
 
 namespace occusg {
@@ -102,10 +101,10 @@ Detection boxBetween(double z0, double z1) {
 TEST(Session, ThingsSeenApartStayApart) {
   const Detection lower = boxBetween(0.0, 0.3);
   const Detection upper = boxBetween(0.3, 0.6);
-  const auto boxesIn = [](const RoomPipeline& pipeline) {
+  const auto boxesIn = [](const BuildingPipeline& pipeline) {
     return pipeline.graph().nodes(NodeType::kObject).size();
   };
-  RoomPipeline whole{PipelineConfig{}};
+  BuildingPipeline whole{PipelineConfig{}};
   for (int frame = 0; frame < 3; ++frame) whole.observeObjects({lower, upper}, frame);
   const TemporaryFolder folder;
   SessionState state;
@@ -113,14 +112,14 @@ TEST(Session, ThingsSeenApartStayApart) {
   whole.saveTo(state);
   saveSession(folder.at("session"), state);
 
-  RoomPipeline resumed{PipelineConfig{}};
+  BuildingPipeline resumed{PipelineConfig{}};
   resumed.resumeFrom(loadSession(folder.at("session"), OccupancyMapConfig{}).state);
-  for (RoomPipeline* pipeline : {&whole, &resumed}) pipeline->observeObjects({lower}, 3.0);
+  for (BuildingPipeline* pipeline : {&whole, &resumed}) pipeline->observeObjects({lower}, 3.0);
   EXPECT_EQ(boxesIn(whole), 2U);
   EXPECT_EQ(boxesIn(resumed), 2U);
 
   state.graph.objects.seen_apart.clear();
-  RoomPipeline forgetful{PipelineConfig{}};
+  BuildingPipeline forgetful{PipelineConfig{}};
   forgetful.resumeFrom(state);
   forgetful.observeObjects({lower}, 3.0);
   EXPECT_EQ(boxesIn(forgetful), 1U) << "the evidence decides nothing here";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,9 @@
 #include "occusg/graph/graph_query.hpp"
 #include "occusg/io/results.hpp"
 #include "occusg/io/scene_graph_file.hpp"
+#include "occusg/io/session_folder.hpp"
 #include "occusg/pipeline/pipeline.hpp"
+#include "temporary_folder.hpp"
 #include "two_storey_house.hpp"
 
 namespace occusg {
@@ -21,6 +24,7 @@ using testing::BoxWorld;
 using testing::kUpperFloor_m;
 using testing::sentenceOf;
 using testing::tells;
+using testing::TemporaryFolder;
 using testing::Tour;
 using testing::tourOfBothStoreys;
 using testing::twoStoreyHouse;
@@ -267,10 +271,71 @@ TEST(Storeys, EachStoreyHasItsMapFile) {
                                             "free_space_1.pgm", "free_space_1.yaml"}));
 }
 
-TEST(Storeys, SessionOfSeveralStoreysIsRefusedWithWhatToDo) {
-  const Pipeline pipeline = carried(tourOfBothStoreys());
-  EXPECT_TRUE(tells(sentenceOf([&] { (void)pipeline.sessionState("house"); }),
-                    {"session", "2 storeys", "--map"}));
+/// Goes on from a session of `first`'s frames with those from `next` on.
+Pipeline resumedWith(const std::vector<DepthFrame>& first, const std::vector<DepthFrame>& next,
+                     const TemporaryFolder& folder) {
+  Pipeline before{PipelineConfig{}};
+  for (const DepthFrame& frame : first) before.process(frame);
+  saveSession(folder.at("session"), before.occupancyMap().tree(), before.sessionState("house"));
+  Pipeline after{PipelineConfig{}};
+  after.resume(loadSession(folder.at("session"), after.config().occupancy));
+  for (const DepthFrame& frame : next) after.process(frame);
+  after.finish();
+  return after;
+}
+
+TEST(Storeys, SessionOfAHouseGoesOnWithItsStoreysRoomsAndStairs) {
+  const std::vector<DepthFrame> frames = tourOfBothStoreys();
+  const auto half = frames.end() - 20;  // upstairs
+  const TemporaryFolder folder;
+  const Pipeline whole = carried(frames);
+  const Pipeline resumed = resumedWith({frames.begin(), half}, {half, frames.end()}, folder);
+  ASSERT_EQ(resumed.storeys().size(), 2U);
+  for (std::size_t storey = 0; storey < 2; ++storey) {
+    EXPECT_NEAR(resumed.storeys()[storey].floor_z_m, whole.storeys()[storey].floor_z_m, 1e-3);
+    EXPECT_EQ(resumed.freeSpace(storey).cells, whole.freeSpace(storey).cells) << storey;
+  }
+  const auto& expected = whole.graph().nodes(NodeType::kRoom);
+  ASSERT_EQ(resumed.graph().nodes(NodeType::kRoom).size(), expected.size());
+  for (const auto& [id, node] : expected) {
+    ASSERT_NE(resumed.graph().find(id), nullptr) << id;
+    EXPECT_EQ(resumed.graph().at(id).floor_id, node.floor_id);
+    EXPECT_NEAR(resumed.graph().room(id).area_m2, whole.graph().room(id).area_m2, 0.1);
+  }
+  ASSERT_EQ(resumed.graph().nodes(NodeType::kStairs).size(), 1U);
+  const StairsAttributes stairs = stairsIn(resumed.graph()).front();
+  const StairsAttributes of_one_run = stairsIn(whole.graph()).front();
+  EXPECT_EQ(stairs.lower_room, of_one_run.lower_room);
+  EXPECT_EQ(stairs.upper_room, of_one_run.upper_room);
+  EXPECT_EQ(stairs.risers, of_one_run.risers);
+}
+
+TEST(Storeys, SessionOfOneStoreyGoesOnUpstairs) {
+  std::vector<DepthFrame> upstairs = tourOfBothStoreys();
+  Tour tour(twoStoreyHouse());
+  tour.to({1.9, 2.0, 0.0}).lookRound().to({6.2, 2.0, 0.0}).lookRound();
+  const std::vector<DepthFrame> below = tour.frames();
+  upstairs.erase(upstairs.begin(), upstairs.end() - 40);
+  ASSERT_GT(upstairs.front().T_map_camera.translation().z(), kUpperFloor_m);
+  const TemporaryFolder folder;
+  const Pipeline resumed = resumedWith(below, upstairs, folder);
+  ASSERT_EQ(resumed.storeys().size(), 2U);
+  std::set<int> floors;
+  for (const auto& [id, room] : resumed.graph().nodes(NodeType::kRoom))
+    floors.insert(room.floor_id);
+  EXPECT_EQ(floors, (std::set<int>{0, 1}));
+}
+
+TEST(Storeys, SessionWithRoomsOfOneStoreyTooFewIsRefused) {
+  const TemporaryFolder folder;
+  Pipeline before{PipelineConfig{}};
+  for (const DepthFrame& frame : tourOfBothStoreys()) before.process(frame);
+  SessionState state = before.sessionState("house");
+  state.building.storeys.push_back({2, 6.0, {}});
+  saveSession(folder.at("session"), before.occupancyMap().tree(), state);
+  EXPECT_TRUE(
+      tells(sentenceOf([&] { (void)loadSession(folder.at("session"), OccupancyMapConfig{}); }),
+            {"session.json", "2 storeys", "3"}));
 }
 
 }  // namespace

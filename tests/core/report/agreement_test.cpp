@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "io/file_bytes.hpp"
-#include "occusg/evaluation/metrics_json.hpp"
 #include "occusg/evaluation/room_metrics.hpp"
 #include "occusg/io/rooms_file.hpp"
 

@@ -56,7 +56,7 @@ class RoomPathTest : public ::testing::Test {
 };
 
 TEST_F(RoomPathTest, LeadsThroughFreeSpaceAndTheDoorsInOrder) {
-  const RoomPath way = pathBetween(graph_, layer_, rooms_[0], rooms_[2], 0.3, header_);
+  const RoomPath way = pathBetween(graph_, {layer_}, rooms_[0], rooms_[2], 0.3, header_);
   EXPECT_EQ(way.rooms, (std::vector<std::int64_t>{rooms_[0], rooms_[1], rooms_[2]}));
   ASSERT_EQ(way.doors.size(), 2U);
   EXPECT_DOUBLE_EQ(way.doors[0].ends[0].x, 2.0);
@@ -67,7 +67,7 @@ TEST_F(RoomPathTest, LeadsThroughFreeSpaceAndTheDoorsInOrder) {
 }
 
 TEST_F(RoomPathTest, EachPoseLooksToTheNext) {
-  const RoomPath way = pathBetween(graph_, layer_, rooms_[2], rooms_[0], 0.3, header_);
+  const RoomPath way = pathBetween(graph_, {layer_}, rooms_[2], rooms_[0], 0.3, header_);
   ASSERT_GT(way.path.poses.size(), 10U);
   for (const auto& pose : way.path.poses) {
     EXPECT_NEAR(std::abs(pose.pose.orientation.z), 1.0, 0.02) << "it drives along -x";
@@ -76,12 +76,12 @@ TEST_F(RoomPathTest, EachPoseLooksToTheNext) {
 }
 
 TEST_F(RoomPathTest, ANumberMeansTheSameRoomAsItsId) {
-  EXPECT_EQ(pathBetween(graph_, layer_, 1, 3, 0.3, header_).rooms,
-            pathBetween(graph_, layer_, rooms_[0], rooms_[2], 0.3, header_).rooms);
+  EXPECT_EQ(pathBetween(graph_, {layer_}, 1, 3, 0.3, header_).rooms,
+            pathBetween(graph_, {layer_}, rooms_[0], rooms_[2], 0.3, header_).rooms);
 }
 
 TEST_F(RoomPathTest, FromARoomToItselfIsThatRoom) {
-  const RoomPath way = pathBetween(graph_, layer_, rooms_[1], rooms_[1], 0.3, header_);
+  const RoomPath way = pathBetween(graph_, {layer_}, rooms_[1], rooms_[1], 0.3, header_);
   EXPECT_EQ(way.rooms, std::vector<std::int64_t>{rooms_[1]});
   EXPECT_TRUE(way.doors.empty());
 }
@@ -89,7 +89,7 @@ TEST_F(RoomPathTest, FromARoomToItselfIsThatRoom) {
 TEST_F(RoomPathTest, SaysWhyThereIsNoWay) {
   const auto problem = [&](std::int64_t from, std::int64_t to, double radius_m) -> std::string {
     try {
-      (void)pathBetween(graph_, layer_, from, to, radius_m, header_);
+      (void)pathBetween(graph_, {layer_}, from, to, radius_m, header_);
     } catch (const occusg::Error& error) {
       return error.what();
     }

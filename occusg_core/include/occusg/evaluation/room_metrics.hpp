@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "occusg/evaluation/alignment.hpp"
@@ -108,5 +109,10 @@ void requireSameThresholds(const RoomMetrics& scene, const RoomMetrics& first, s
 /// Macro mean: every scene counts the same. A mean IoU is averaged over the scenes that have one.
 /// @throws Error when the scenes differ in their thresholds.
 [[nodiscard]] RoomMetricsMean macroMean(const std::vector<RoomMetrics>& scenes);
+
+/// All metrics of a scene as JSON: {"n_gt", "n_pred", "align", "shift", "@0.15": {"matches", "R",
+/// "P", "F1", "mIoU", "mIoU_gt", "mIoU_full", "bF1"}, ..., "oS", "uS", "oS_rel", "uS_rel", ...,
+/// "pairs": [{"pred", "gt", "iou", "bF1"}]}. An undefined value is null.
+[[nodiscard]] std::string toJson(const RoomMetrics& metrics);
 
 }  // namespace occusg

@@ -69,8 +69,8 @@ struct RoomsOnTheWay {
   std::vector<NodeId> doors;  ///< Between rooms that are joined by one, in order.
 };
 
-/// The rooms and doors on the way over `points`.
-[[nodiscard]] RoomsOnTheWay roomsAlong(const SceneGraph& graph, const std::vector<Point2>& points);
+/// The rooms and doors on the way over `places` of one storey.
+[[nodiscard]] RoomsOnTheWay roomsAlong(const SceneGraph& graph, const std::vector<Place>& places);
 
 /// A way through free space.
 struct Route {

@@ -12,13 +12,16 @@ namespace occusg {
 
 /// Version of `session.json`; counts up when a reader of the old one would misread the new one.
 inline constexpr int kSessionVersion = 1;
+/// That of a session of several storeys.
+inline constexpr int kStoreysSessionVersion = 2;
 
 /// Checks, before a long run, that a session can be saved there.
 /// @throws Error when `folder` is a file, or a folder that holds something else than a session.
 void checkSessionPlace(const std::string& folder);
 
-/// Saves a session as a folder of `map.ot`, `scene_graph.json` and `session.json`, which holds the
-/// rest and the sizes and checksums of the other two. The folder is written under another name
+/// Saves a session as a folder of `map.ot`, `scene_graph.json`, a `scene_graph_<storey>.json` for
+/// each further storey, and `session.json`, which holds the rest and the sizes and checksums of the
+/// others. The folder is written under another name
 /// beside its place, flushed and renamed: a crash leaves the session that was there or the new one,
 /// never a mixture.
 /// @throws Error as `checkSessionPlace`, or when it cannot be written; what was there is untouched.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -52,6 +53,19 @@ struct StoreyPassage {
   std::vector<Eigen::Vector3d> path;  ///< From the lower floor to the upper, at the feet [m].
   int risers = 0;                     ///< Steps seen along the path; 0 without any.
 };
+
+/// The storeys of a building that a robot reached, and how it got from one to another.
+struct Building {
+  std::vector<Storey> storeys;  ///< In the order of their ids, which count from 0.
+  std::vector<StoreyPassage> passages;
+  std::size_t current = 0;  ///< Index of the storey the robot is on, or was on last.
+  /// Mean height of the sensor above the floor [m]; 0 where no sensor is looked at.
+  double sensor_height_m = 0.0;
+};
+
+/// Gives each storey the heights from within the slab under it to within the slab under the next
+/// higher one; the lowest and the highest storey have no bound outwards.
+void divideHeights(std::vector<Storey>& storeys);
 
 /// The 2D free-space layer.
 struct FreeSpace {

@@ -54,9 +54,10 @@ class MapPipeline {
   /// @throws Error when the configuration breaks a rule.
   explicit MapPipeline(const PipelineConfig& config, Storeys storeys = Storeys::kOne);
 
-  /// Continues from a saved map. In the layer, `changed` is what differs from before.
+  /// Continues from a saved map. In the layers, `changed` is what differs from before.
+  /// @param building what was known of its storeys; without any they are found anew.
   /// @throws Error when the map is larger than the layer can be; the state is then as before.
-  const FreeSpace& startFrom(OccupancyMap map);
+  const FreeSpace& startFrom(OccupancyMap map, const Building& building = {});
 
   /// Takes one frame into the map.
   /// @return what became of it; `freeSpace()` has the layer that follows.
@@ -65,20 +66,17 @@ class MapPipeline {
 
   [[nodiscard]] const OccupancyMap& occupancyMap() const { return occupancy_; }
   /// The layer of the storey the camera is on.
-  [[nodiscard]] const FreeSpace& freeSpace() const { return freeSpace(current_); }
+  [[nodiscard]] const FreeSpace& freeSpace() const { return freeSpace(building_.current); }
 
-  /// In the order of their ids; the first is there from the beginning.
-  [[nodiscard]] const std::vector<Storey>& storeys() const { return storeys_; }
-  /// The ways from storey to storey that the camera went.
-  [[nodiscard]] const std::vector<StoreyPassage>& passages() const;
-  /// Index of the storey the camera is on; on stairs, of the one it comes from.
-  [[nodiscard]] std::size_t currentStorey() const { return current_; }
-  /// @pre storey < storeys().size()
+  /// The storeys the camera reached, and the ways it took; the first storey is there from the
+  /// beginning. On stairs, the current storey is the one the camera comes from.
+  [[nodiscard]] const Building& building() const { return building_; }
+  /// @pre storey < building().storeys.size()
   [[nodiscard]] const FreeSpace& freeSpace(std::size_t storey) const {
     return layers_[storey].freeSpace();
   }
   /// What changed in the storey's layer since the last call.
-  /// @pre storey < storeys().size()
+  /// @pre storey < building().storeys.size()
   [[nodiscard]] LayerChange takeChange(std::size_t storey);
 
   [[nodiscard]] const MapCounts& counts() const { return counts_; }
@@ -99,16 +97,19 @@ class MapPipeline {
   void count(const FrameReport& report);
   void updateLayers(const RangeImage& image, const MapChange& change);
   void followStoreys(const Eigen::Vector3d& position);
+  void takeOver(const Building& building);
+  [[nodiscard]] std::vector<FreeSpaceLayer> layersOf(const OccupancyMap& map,
+                                                     const std::vector<Storey>& storeys) const;
   void note(std::size_t storey);
 
   DepthProjector projector_;
   PoseGate gate_;
   OccupancyMap occupancy_;
   std::unique_ptr<StoreyFinder, DeleteFinder> finder_;  ///< Null where one layer is asked for.
-  std::vector<Storey> storeys_;                         ///< At least one.
+  Building building_;                                   ///< At least one storey.
+  bool has_floor_ = false;                              ///< The first storey's floor was seen.
   std::vector<FreeSpaceLayer> layers_;                  ///< By storey.
   std::vector<LayerChange> changes_;                    ///< By storey, not yet taken.
-  std::size_t current_ = 0;
   FreeSpaceLayerConfig layer_config_;
   MapCounts counts_;
   StageTimes times_;

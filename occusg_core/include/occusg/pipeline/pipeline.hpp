@@ -9,10 +9,10 @@
 
 #include "occusg/perception/depth_frame.hpp"
 #include "occusg/perception/detection_builder.hpp"
+#include "occusg/pipeline/building_pipeline.hpp"
 #include "occusg/pipeline/config.hpp"
 #include "occusg/pipeline/frame_report.hpp"
 #include "occusg/pipeline/map_pipeline.hpp"
-#include "occusg/pipeline/room_pipeline.hpp"
 #include "occusg/pipeline/stage_times.hpp"
 
 namespace occusg {
@@ -56,7 +56,7 @@ class Pipeline {
   void resume(Session session);
   /// What to save beside `occupancyMap()` so that another pipeline can continue from here; to be
   /// taken before `finish`, which decides what only an end decides.
-  /// @throws Error when there was no frame, or the building has several storeys.
+  /// @throws Error when there was no frame.
   [[nodiscard]] SessionState sessionState(const std::string& scene) const;
 
   /// Takes one frame through the stages: cloud, occupancy and free space always; regions and graph
@@ -82,13 +82,11 @@ class Pipeline {
   /// Of the storey the camera is on.
   [[nodiscard]] const FreeSpace& freeSpace() const { return map_.freeSpace(); }
   /// Of the storey the camera is on.
-  [[nodiscard]] const TrackedRegions& regions() const {
-    return rooms_[map_.currentStorey()].regions();
-  }
+  [[nodiscard]] const TrackedRegions& regions() const { return rooms_.regions(); }
   /// Of all storeys.
-  [[nodiscard]] const SceneGraph& graph() const;
+  [[nodiscard]] const SceneGraph& graph() const { return rooms_.graph(); }
   /// In the order of their ids; `Node::floor_id` names one. At least one.
-  [[nodiscard]] const std::vector<Storey>& storeys() const { return map_.storeys(); }
+  [[nodiscard]] const std::vector<Storey>& storeys() const { return map_.building().storeys; }
   /// @param storey index in `storeys()`.
   [[nodiscard]] const FreeSpace& freeSpace(std::size_t storey) const {
     return map_.freeSpace(storey);
@@ -102,21 +100,14 @@ class Pipeline {
   FrameReport takeIn(const DepthFrame& frame, const DetectionResult& objects);
   [[nodiscard]] MapView mapView(std::size_t storey, const LayerChange& change) const;
   void updateRooms(const Pose& T_map_camera, double stamp_s);
-  void updateRoomsOf(std::size_t storey, const Pose& T_map_camera, double stamp_s);
-  void followStoreys();
-  void observeObjects(const std::vector<Detection>& detections, double stamp_s);
-  void skipIdsOfOthers(std::size_t storey);
-  [[nodiscard]] std::size_t storeyAtHeight(double z_m) const;
   [[nodiscard]] bool roomsAreDue(double stamp_s) const;
 
   PipelineConfig config_;
   DetectionBuilder detection_builder_;
   MapPipeline map_;
-  std::vector<RoomPipeline> rooms_;   ///< By storey.
-  std::vector<double> changed_at_s_;  ///< By storey: when its layer changed last.
+  BuildingPipeline rooms_;
   std::optional<double> last_room_update_s_;
   std::optional<double> last_stamp_s_;
-  mutable std::optional<SceneGraph> building_;  ///< Of all storeys, while nothing changes.
   Pose last_pose_ = Pose::Identity();
   RefusedMasks refused_masks_;
   StageTimes totals_;  ///< Of whole frames.

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "occusg/geometry/pose.hpp"
@@ -18,12 +17,9 @@
 
 namespace occusg {
 
-/// What a running system knows besides its occupancy map and cannot compute from it again. The
-/// free-space layer and the decomposition follow from the map.
-struct SessionState {
-  std::string scene;
-  double stamp_s = 0.0;                      ///< Of the last frame.
-  Pose T_map_agent = Pose::Identity();       ///< Of the last frame.
+/// What the rooms of one storey follow from besides the map, and cannot be computed from it again.
+/// The free-space layer and the decomposition follow from the map.
+struct RoomPipelineState {
   std::optional<double> last_room_update_s;  ///< When regions and rooms were updated last.
   RegionTrackerState tracker;
   GraphBuilderState graph;
@@ -77,15 +73,19 @@ class RoomPipeline {
   /// @throws Error when the pose or the stamp is not finite.
   void maintain(const Pose& T_map_robot, double stamp_s);
 
+  /// The same while the robot is on another storey.
+  /// @throws Error when the stamp is not finite.
+  void maintainUnattended(const FreeSpace& layer, double stamp_s);
+
   /// Maintains the rooms a last time, when no later update can confirm or refute anything.
   /// @throws Error when the stamp is not finite.
   void finish(double stamp_s);
   void finish(double stamp_s, const MapView& map);
 
-  /// Puts what it knows into `state`.
-  void saveTo(SessionState& state) const;
+  [[nodiscard]] RoomPipelineState state() const;
   /// Goes on where another one was; regions follow from the next layer.
-  void resumeFrom(const SessionState& state);
+  /// @param stamp_s of the last pose it saw.
+  void resumeFrom(const RoomPipelineState& state, double stamp_s);
 
   [[nodiscard]] const TrackedRegions& regions() const { return tracker_.regions(); }
   [[nodiscard]] const SceneGraph& graph() const { return graph_.graph(); }
