@@ -18,6 +18,7 @@ import tempfile
 import time
 
 PATIENCE_S = 300
+FILE_CLOCK_S = 0.02  # stamps of files are those of the kernel's last tick
 SEED = 13
 
 
@@ -56,12 +57,14 @@ def measure(map_file, recording, delay_s):
         with open(os.path.join(work, "launch.log"), "w") as log:
             launch = subprocess.Popen(
                 ["roslaunch", "-p", str(port), "--skip-log-check", "occusg", "replay.launch", "rviz:=false", "rate:=1",
-                 "sequence:=" + recording, "save_folder:=" + work, "save_on_exit:=true", "autosave_period_s:=1"],
+                 "loop:=true", "sequence:=" + recording, "save_folder:=" + work, "save_on_exit:=true",
+                 "autosave_period_s:=1"],
                 stdout=log, stderr=subprocess.STDOUT)
             try:
                 wait_for("the map", lambda: "success: True" in (call("/occusg/mapping/load", "name: large") or ""), launch)
                 rooms = wait_for("a hundred rooms", enough_rooms, launch)
                 time.sleep(delay_s)
+                interrupted = time.time()
                 start = time.monotonic()
                 launch.send_signal(signal.SIGINT)
                 launch.wait(timeout=PATIENCE_S)
@@ -70,9 +73,19 @@ def measure(map_file, recording, delay_s):
                 if launch.poll() is None:
                     launch.kill()
                     launch.wait()
-        saved = os.path.join(work, "last", "map.ot")
+        last = os.path.join(work, "last")
+        for name in ("map.ot", "rooms.json"):
+            if not is_saved_since(interrupted, os.path.join(last, name)):
+                with open(os.path.join(work, "launch.log"), errors="replace") as log:
+                    sys.stderr.writelines(log.readlines()[-20:])
+                sys.exit("shutdown_time.py: {} was not saved after SIGINT, {:.2f} s to exit".format(name, seconds))
         return {"seconds": round(seconds, 2), "rooms": rooms,
-                "map_mib": round(os.path.getsize(saved) / 2**20, 1) if os.path.exists(saved) else 0.0}
+                "map_mib": round(os.path.getsize(os.path.join(last, "map.ot")) / 2**20, 1)}
+
+
+def is_saved_since(stamp_s, path):
+    """Whether the last save wrote the file: one that an autosave left is older than SIGINT."""
+    return os.path.exists(path) and os.path.getmtime(path) >= stamp_s - FILE_CLOCK_S
 
 
 def enough_rooms():

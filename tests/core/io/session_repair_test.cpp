@@ -67,7 +67,7 @@ TEST_F(SessionRepair, SessionThatIsFineIsReadAsItIs) {
   EXPECT_EQ(toJson(read.session.state.graph.graph, ""), toJson(soundState().graph.graph, ""));
 }
 
-TEST_F(SessionRepair, FailureMode6StampsFromTheFutureBecomeTheLatestThatCanBe) {
+TEST_F(SessionRepair, FailureMode06StampsFromTheFutureBecomeTheLatestThatCanBe) {
   SessionState state = soundState();
   state.stamp_s = 4294967295.0;
   state.graph.last_maintenance_s = 4294967295.0;

@@ -211,6 +211,23 @@ class ShutdownTest(unittest.TestCase):
         self.assertGreater(layer.info.width, 10)
         self.end(resumed, signal.SIGINT)
         self.end(mapping, signal.SIGINT)
+        self.neither_resumes_a_map_of_another_resolution(folder, map_arguments, own)
+
+    def neither_resumes_a_map_of_another_resolution(self, folder, map_arguments, own):
+        log = RosLog()
+        other = ("_resume:=last", "_mapping/occupancy/resolution_m:=0.1")
+        mapping = self.start("mapping", "coarse_map", *map_arguments, *other)
+        graph = self.start("scene_graph", "coarse_graph", *own, *other, "free_space:=/map",
+                           "_mapping_node:=/coarse_map")
+        wait_until(lambda: log.said("coarse_map", "begins with an empty map"), 30, lambda: log.lines)
+        wait_until(lambda: log.said("coarse_graph", "begins without rooms"), 30, lambda: log.lines)
+        refused = [name for name in os.listdir(folder) if name.startswith("last.refused-")]
+        self.assertGreaterEqual(len(refused), 1, os.listdir(folder))
+        kept = os.path.join(folder, refused[0])
+        self.assertIn("kitchen", open(os.path.join(kept, "rooms.json")).read())
+        self.assertTrue(os.path.exists(os.path.join(kept, "map.ot")))
+        self.end(graph, signal.SIGINT)
+        self.end(mapping, signal.SIGINT)
 
     def test_failure_mode_17_and_19_what_cannot_be_resumed_is_kept_under_another_name(self):
         folder = tempfile.mkdtemp(prefix="occusg_refused_test_")

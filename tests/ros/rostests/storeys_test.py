@@ -168,6 +168,23 @@ class StoreysTest(unittest.TestCase):
         finally:
             shutil.rmtree(saved.folder)
 
+    def test_failure_mode_17_half_a_map_is_refused_and_rooms_and_map_stay(self):
+        saved = rospy.ServiceProxy("/occusg/scene_graph/save", SaveMap)("half")
+        self.assertTrue(saved.success, saved.message)
+        try:
+            before = sorted(room.id for room in self.rooms())
+            cells = rospy.wait_for_message("/occusg/free_space/0", OccupancyGrid, 20).data
+            path = os.path.join(saved.folder, "map.ot")
+            os.truncate(path, os.path.getsize(path) // 2)
+            loaded = rospy.ServiceProxy("/occusg/scene_graph/load", LoadMap)("half")
+            self.assertFalse(loaded.success)
+            self.assertIn("map.ot", loaded.message)
+            self.assertEqual(sorted(room.id for room in self.rooms()), before)
+            layer = rospy.wait_for_message("/occusg/free_space/0", OccupancyGrid, 20)
+            self.assertEqual(layer.data, cells)
+        finally:
+            shutil.rmtree(saved.folder)
+
 
 if __name__ == "__main__":
     rostest.rosrun("occusg", "storeys", StoreysTest, sys.argv)
