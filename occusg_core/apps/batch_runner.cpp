@@ -22,6 +22,7 @@
 #include "io/file_bytes.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/output_folder.hpp"
+#include "occusg/io/results.hpp"
 #include "report/scene_folder.hpp"
 
 namespace occusg::apps {
@@ -260,6 +261,7 @@ class BatchRun {
 }  // namespace
 
 BatchEnd runBatch(const BatchOptions& options) {
+  checkResultsPlace(options.out);
   const OutputFolder out(options.out);
   BatchIndex index{{}, {}, nameOf(options.alignment), options.title};
   for (const Configuration& c : options.configurations) index.configurations.push_back(c.name);

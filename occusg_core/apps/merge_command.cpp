@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch_results.hpp"
 #include "command_line.hpp"
+#include "occusg/io/results.hpp"
 
 namespace occusg::apps {
 namespace {
@@ -32,6 +33,7 @@ po::options_description mergeOptions() {
 ExitCode mergeCommand(const std::vector<std::string>& arguments) {
   const po::variables_map values = parse(arguments, mergeHelp(), mergeOptions());
   if (helpWasPrinted(values)) return kFine;
+  checkResultsPlace(values["output"].as<std::string>());
   const auto folders = values["FOLDER"].as<std::vector<std::string>>();
   const BatchResults batch = collectResults(folders);
   const std::string title = values.count("title") > 0 ? values["title"].as<std::string>()

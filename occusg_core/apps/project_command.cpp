@@ -13,6 +13,7 @@
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/output_folder.hpp"
+#include "occusg/io/results.hpp"
 #include "occusg/mapping/free_space_layer.hpp"
 #include "occusg/pipeline/config_file.hpp"
 
@@ -105,6 +106,7 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
     throw refuse(path, "holds nothing between the heights that are projected",
                  "a map with voxels is needed");
   }
+  checkResultsPlace(values["output"].as<std::string>());
   const OutputFolder folder(values["output"].as<std::string>());
   const MapFiles files = toMapFiles(layer, "free_space.pgm");
   const std::string name = std::filesystem::path(path).stem().string();

@@ -23,6 +23,7 @@
 #include "occusg/perception/class_names.hpp"
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/regions/no_rooms.hpp"
+#include "output_place.hpp"
 #include "progress_bar.hpp"
 #include "recording_options.hpp"
 #include "room_table.hpp"
@@ -351,6 +352,7 @@ void checkOutputPlace(const std::string& output, const std::string& recording) {
     throw refuse(output, "is the folder of the recording, whose rooms.json may be its annotation",
                  "another folder is needed for the results");
   }
+  checkResultsPlace(output);
 }
 
 }  // namespace
@@ -373,10 +375,10 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   Pipeline pipeline(config);
   const std::optional<double> known_until_s = goOn(pipeline, values);
   const auto session_folder = given<std::string>(values, "save-session");
-  if (session_folder) checkSessionPlace(*session_folder);
-  MaskSource source = masksFor(sequence, config.segmenter, values);
   const auto output = values["output"].as<std::string>();
   checkOutputPlace(output, recording);
+  if (session_folder) checkSessionCanBeSaved(*session_folder, output);
+  MaskSource source = masksFor(sequence, config.segmenter, values);
   const OutputFolder folder(output);
   catchInterrupts();
   const RunOutcome outcome =

@@ -361,6 +361,7 @@ int process(Options options) {
   if (!options.model.empty() && options.color_topic.empty())
     options.color_topic = topicOf(Picture::kColor, bags);
   if (options.info_topic.empty()) options.info_topic = infoTopicOf(options.depth_topic);
+  occusg::checkResultsPlace(options.output);
   const occusg::OutputFolder folder(options.output);
   BagRun run(options, pipeline);
   run.run(bags);

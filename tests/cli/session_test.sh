@@ -61,6 +61,21 @@ mkdir thesis && touch thesis/chapter.tex
 expect "a folder that is no session" 1 "something else" run whole -o other --save-session thesis
 [ ! -e other ] || fail "an output folder was made although the session cannot be saved"
 
+# --- Results and sessions keep out of each other's way, and a run finds out before it begins
+cp -r kept in_the_way
+expect "results into a session" 1 "in_the_way: holds a saved session" run half -o in_the_way
+expect "results of a map into a session" 1 "holds a saved session" project kept/map.ot -o in_the_way
+expect "results of a batch into a session" 1 "holds a saved session" batch half -o in_the_way
+diff -r kept in_the_way || fail "results into a session: the session changed"
+mkdir other_session && echo '{"format": "of another program"}' > other_session/session.json
+expect "a session of another program" 0 "" project kept/map.ot -o other_session
+expect "session in place of the results" 1 "would replace the results in same" run half -o same --save-session same
+expect "session around the results" 1 "would replace the results" run half -o around/out --save-session around/
+expect "session where nothing can be written" 1 "/proc/nowhere" run half -o other --save-session /proc/nowhere/session
+for folder in same around other; do
+  [ ! -e $folder ] || fail "$folder was made although the session cannot be saved"
+done
+
 # --- Sessions that need repair
 expect "session that is fine" 0 "" session check kept
 cp -r half_way future && sed -i -E 's/"stamp_s": [0-9.]+/"stamp_s": 4294967295.0/' future/session.json
@@ -75,7 +90,14 @@ expect "session after its repair" 0 "" session check changed
 expect "unknown action" 2 "allowed are check, repair" session mend kept
 
 # --- What fails while saving
-expect "session that cannot be saved" 1 "/proc/nowhere" run half -o unsaved --save-session /proc/nowhere/session
+# The place is gone after the run has looked at it.
+"$occusg" run "$recording" -o unsaved --save-session places/session > out.txt 2> err.txt < /dev/null &
+pid=$!
+while kill -0 $pid 2> /dev/null && [ ! -e unsaved ]; do :; done
+rm -rf places && touch places
+wait $pid
+[ $? -eq 1 ] || fail "session that cannot be saved: exit code"
+grep -qF "places" err.txt || fail "session that cannot be saved: it does not say so"
 [ -s unsaved/rooms.json ] && [ -s unsaved/files.json ] || fail "no results because the session cannot be saved"
 expect "results of one run" 0 "" show unsaved/scene_graph.json
 echo >> unsaved/rooms.json

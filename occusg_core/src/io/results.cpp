@@ -2,18 +2,22 @@
 #include "occusg/io/results.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <locale>
 #include <map>
 #include <ostream>
 #include <sstream>
 
+#include "io/file_bytes.hpp"
 #include "io/findings_picture.hpp"
 #include "io/graphml_file.hpp"
 #include "io/result_index.hpp"
 #include "io/rooms_geojson.hpp"
+#include "io/session_parts.hpp"
 #include "io/spark_dsg_file.hpp"
 #include "mapping/ceiling.hpp"
+#include "occusg/error.hpp"
 #include "occusg/io/map_files.hpp"
 #include "occusg/io/octomap_file.hpp"
 #include "occusg/io/scene_graph_file.hpp"
@@ -141,6 +145,17 @@ std::vector<ResultFile> resultFiles(const Findings& findings, const StageTimes& 
 std::vector<ResultFile> resultFiles(const Pipeline& pipeline, const std::string& scene,
                                     const StageTimes& times) {
   return bytesOf(resultWriters(pipeline, scene, times));
+}
+
+void checkResultsPlace(const std::string& folder) {
+  constexpr std::size_t kBeginning = 256;  // where a session says what it is
+  const std::filesystem::path index = std::filesystem::path(folder) / kSessionFile;
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(index, failed)) return;
+  if (readBeginning(index.string(), kBeginning).find("\"occusg-session\"") == std::string::npos)
+    return;
+  throw refuse(folder, "holds a saved session, whose map and scene graph the results would replace",
+               "another folder is needed for the results");
 }
 
 void writeResultFiles(const OutputFolder& folder, const std::vector<ResultWriter>& files) {

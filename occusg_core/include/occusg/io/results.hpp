@@ -64,6 +64,10 @@ struct ResultWriter {
                                                       const std::string& scene,
                                                       const StageTimes& times);
 
+/// Results have names that files of a saved session have too.
+/// @throws Error naming the folder when it holds a session.
+void checkResultsPlace(const std::string& folder);
+
 /// Writes the files in their order, and the index of them (`result_index.hpp`) when all are there:
 /// a folder whose index agrees with its files is of one run.
 /// @throws Error as `OutputFolder::write`.
