@@ -16,6 +16,7 @@
 #include "occusg/evaluation/room_metrics.hpp"
 #include "occusg/io/rooms_file.hpp"
 #include "output_file.hpp"
+#include "output_place.hpp"
 #include "storey_rooms.hpp"
 
 namespace occusg::apps {
@@ -171,13 +172,15 @@ ExitCode evalCommand(const std::vector<std::string>& arguments) {
   metrics_options.alignment = alignmentNamed(values["align"].as<std::string>());
   const std::string predicted_path = values["PREDICTED"].as<std::string>();
   const std::string truth_path = values["TRUTH"].as<std::string>();
+  const auto json_path = given<std::string>(values, "json");
+  if (json_path) checkNotAnInput(*json_path, {predicted_path, truth_path});
   const auto predicted = isPicture(predicted_path) ? roomsOfPicture(predicted_path, values)
                                                    : roomsOfFile(predicted_path);
   const auto truth =
       isPicture(truth_path) ? roomsOfPicture(truth_path, values) : truthOfFile(truth_path);
   const RoomMetrics metrics = evaluated(predicted, truth, metrics_options);
   print(metrics);
-  if (values.count("json") > 0) OutputFile(values["json"].as<std::string>()).write(toJson(metrics));
+  if (json_path) OutputFile(*json_path).write(toJson(metrics));
   return kFine;
 }
 

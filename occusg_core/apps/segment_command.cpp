@@ -22,6 +22,7 @@
 #include "occusg/pipeline/config_file.hpp"
 #include "occusg/regions/no_rooms.hpp"
 #include "output_file.hpp"
+#include "output_place.hpp"
 #include "room_table.hpp"
 
 namespace occusg::apps {
@@ -186,6 +187,18 @@ void tellAssumptions(const GridMap& map, const std::string& path, bool strict) {
   }
 }
 
+/// The results must not take the place of the map, nor of a session.
+void checkPlace(const std::string& output, const std::optional<std::string>& drawing,
+                const GridMap& map, const std::string& path) {
+  const std::vector<std::string> inputs{path, map.picture_path};
+  checkNotInputs(output,
+                 {"rooms.json", "rooms.geojson", "labels.yaml", "labels.png", "timing.json",
+                  "overview.png", "files.json"},
+                 inputs);
+  if (drawing) checkNotAnInput(*drawing, inputs);
+  checkResultsPlace(output);
+}
+
 }  // namespace
 
 ExitCode segmentCommand(const std::vector<std::string>& arguments) {
@@ -198,6 +211,8 @@ ExitCode segmentCommand(const std::vector<std::string>& arguments) {
   StageTimes times;
   const GridMap map = readMap(values["MAP"].as<std::string>(), readerOptionsFrom(values));
   tellAssumptions(map, values["MAP"].as<std::string>(), values.count("strict") > 0);
+  checkPlace(values["output"].as<std::string>(), drawing_path, map,
+             values["MAP"].as<std::string>());
   const OutputFolder folder(values["output"].as<std::string>());
   std::optional<OutputFile> drawing;
   if (drawing_path) drawing.emplace(*drawing_path);

@@ -5,6 +5,7 @@
 #include "command_line.hpp"
 #include "io/house_file.hpp"
 #include "output_file.hpp"
+#include "output_place.hpp"
 
 namespace occusg::apps {
 namespace {
@@ -38,8 +39,10 @@ ExitCode truthCommand(const std::vector<std::string>& arguments) {
   if (format != "mp3d") throw UsageError("the format is '" + format + "'; allowed is mp3d");
   const auto level =
       values.count("level") > 0 ? std::optional<int>(values["level"].as<int>()) : std::nullopt;
-  const HouseTruth truth = readHouse(values["HOUSE"].as<std::string>(), level);
+  const std::string house = values["HOUSE"].as<std::string>();
   const std::string path = values["output"].as<std::string>();
+  checkNotAnInput(path, {house});
+  const HouseTruth truth = readHouse(house, level);
   OutputFile(path).write(toJson(truth.rooms));
   for (const std::string& note : truth.notes) std::cerr << "occusg: " << note << '\n';
   std::cout << truth.rooms.rooms.size() << " rooms, " << truth.rooms.doors.size() << " doors in "

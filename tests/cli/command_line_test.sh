@@ -107,6 +107,11 @@ END
 expect "eval storey by storey" 0 "" eval storeys.json truth_storeys.json
 grep -q "storey at 3.00 m: predicted rooms: 1, none annotated there" out.txt || fail "eval: the storey without truth is not told"
 grep -q "0.50  0.500  0.500  0.500" out.txt || fail "eval: a room of another storey was matched"
+cp one/rooms.json rooms_kept.json
+expect "metrics over what is read" 1 "one/../one/rooms.json: is read and would be written over" \
+  eval one/rooms.json "$recording/rooms.json" --json one/../one/rooms.json
+cmp -s one/rooms.json rooms_kept.json || fail "metrics over what is read: the rooms changed"
+expect "truth over what is read" 1 "is read and would be written over" truth mp3d one/rooms.json -o one/rooms.json
 expect "eval of a missing file" 1 "nowhere.json" eval nowhere.json one/rooms.json
 
 # --- Bad input: one sentence that names the file

@@ -98,6 +98,19 @@ expect "a negative number of cells" 2 "--max-cells is -1; a number from 1 to" se
 refused "more cells than allowed" "--max-cells" map.yaml --max-cells 1000
 expect "labels without a scale" 1 "--resolution" eval bare/labels.png bare/rooms.json
 
+# --- Results do not take the place of what is read
+mkdir inputs && cp map.pgm inputs/overview.png && sed 's/map.pgm/overview.png/' map.yaml > inputs/labels.yaml
+cp -r inputs untouched
+for map in "inputs/overview.png --resolution 0.05" inputs/labels.yaml; do
+  expect "results over $map" 1 "of the results would replace it" segment $map -o inputs
+done
+expect "picture of a YAML elsewhere" 1 "overview.png of the results would replace it" \
+  segment "$(sed 's/map.pgm/inputs\/overview.png/' map.yaml > outside.yaml; echo outside.yaml)" -o inputs
+expect "drawing over the map" 1 "is read and would be written over" \
+  segment inputs/labels.yaml -o drawn_over --debug-drawing inputs/overview.png
+diff -r inputs untouched || fail "results over a map: the map changed"
+[ ! -e drawn_over ] || fail "an output folder was made although the drawing would replace the map"
+
 # --- Bad maps
 refused "missing map" "nowhere.yaml" nowhere.yaml
 yaml gone.pgm 0.05 0 > no_picture.yaml

@@ -137,7 +137,8 @@ GridMap readMap(const std::string& path, const MapReaderOptions& options) {
   return {std::filesystem::path(path).stem().string(),
           {GridFrame{map.resolution_m}, FreeSpaceCells(cells), place.box},
           place.in_map,
-          std::move(assumptions)};
+          std::move(assumptions),
+          map.picture_path};
 }
 
 }  // namespace occusg

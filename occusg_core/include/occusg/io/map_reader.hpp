@@ -53,8 +53,9 @@ struct GridMap {
   std::string name;      ///< File name without ending.
   FreeSpace free_space;  ///< Its box is the picture's: a cell a pixel.
   MapPlacement in_map;   ///< Map frame = in_map(frame of `free_space`).
-  std::vector<std::string>
-      assumptions;  ///< What the file leaves open and was assumed, a sentence each.
+  /// What the file leaves open and was assumed, a sentence each.
+  std::vector<std::string> assumptions;
+  std::string picture_path = {};  ///< The picture that was read.
 };
 
 /// Reads a map as ROS 1 `map_server` does (wiki.ros.org/map_server): a YAML file (`image`,
