@@ -60,6 +60,7 @@ TEST(RecordingLayouts, SevenScenesAsDownloaded) {
   EXPECT_EQ(frame.depth.pixels.at<std::uint16_t>(0, 0), 0) << "the highest value is no return";
   EXPECT_EQ(frame.color_path, folder.at("seq-01/frame-000002.color.png"));
   EXPECT_TRUE(tells(reader.assumptions().at(0), {"7-Scenes", "585", "--camera"}));
+  EXPECT_TRUE(tells(reader.assumptions().at(1), {"no stamps", "30 a second"}));
   // Its parent is not a recording, and says which folders are.
   EXPECT_TRUE(tells(sentenceOf([&] { SequenceReader scene(folder.path()); }),
                     {"holds recordings in folders of its own", "seq-01"}));
@@ -85,7 +86,8 @@ TEST(RecordingLayouts, ScanNetExportWithALostPose) {
   EXPECT_EQ(reader.read(10).depth.pixels.at<std::uint16_t>(1, 1), 1010) << "10 follows 9, not 1";
   EXPECT_TRUE(
       tells(sentenceOf([&] { (void)reader.read(5); }), {"pose/5.txt", "tracking was lost"}));
-  EXPECT_TRUE(reader.assumptions().empty());
+  ASSERT_EQ(reader.assumptions().size(), 1U);
+  EXPECT_TRUE(tells(reader.assumptions().front(), {"no stamps", "30 a second"}));
 }
 
 TEST(RecordingLayouts, ReplicaOfNiceSlam) {
@@ -105,6 +107,7 @@ TEST(RecordingLayouts, ReplicaOfNiceSlam) {
   expectCameraAt(reader.read(1), 1);
   EXPECT_EQ(reader.read(1).depth.units_per_m, 6553.5);
   EXPECT_EQ(reader.read(1).color_path, folder.at("room0/results/frame000001.jpg"));
+  EXPECT_TRUE(tells(reader.assumptions().at(0), {"no stamps", "30 a second"}));
 }
 
 TEST(RecordingLayouts, IclNuimWhoseRowsGoUp) {
@@ -122,6 +125,7 @@ TEST(RecordingLayouts, IclNuimWhoseRowsGoUp) {
   EXPECT_EQ(frame.depth.units_per_m, 5000.0);
   EXPECT_EQ(frame.depth.pixels.at<std::uint16_t>(479, 0), 65535) << "the first row is the lowest";
   EXPECT_EQ(frame.camera.fy, 480.0);
+  EXPECT_TRUE(tells(reader.assumptions().at(1), {"no stamps", "30 a second"}));
 }
 
 TEST(RecordingLayouts, RtabmapExportNamedById) {

@@ -77,6 +77,11 @@ void setPosesOfFiles(const std::string& folder, const std::vector<NumberedFile>&
   }
 }
 
+/// Files named by number alone say nothing of time.
+void tellStamps(Recording& recording) {
+  recording.assumptions.emplace_back("the images have no stamps: 30 a second are assumed");
+}
+
 void requireImages(const std::vector<NumberedFile>& depth, const std::string& where) {
   if (depth.empty()) throw refuse(where, "holds no depth image", "numbered PNGs are needed");
 }
@@ -103,6 +108,7 @@ Recording readSevenScenesRecording(const std::string& folder, const SequenceRead
         "the camera is taken as that of 7-Scenes: focal length 585, centre (320, 240), "
         "millimetres (--camera)");
   }
+  tellStamps(recording);
   setPosesOfFiles(folder, depth, numberedFiles(folder, "", "frame-", ".pose.txt"), config,
                   recording);
   return recording;
@@ -125,6 +131,7 @@ Recording readScanNetRecording(const std::string& folder, const SequenceReaderCo
   SequenceReaderConfig with_own = config;
   if (with_own.camera_path.empty()) with_own.camera_path = own;
   setCamera({}, kMillimetresPerM, folder, with_own, recording);
+  tellStamps(recording);
   setPosesOfFiles(folder, depth, numberedFiles(folder, "pose", "", ".txt"), config, recording);
   return recording;
 }
@@ -146,6 +153,7 @@ Recording readReplicaRecording(const std::string& folder, const SequenceReaderCo
     with_own.camera_path = joined(folder, is_inside ? "cam_params.json" : "../cam_params.json");
   }
   setCamera({}, kMillimetresPerM, folder, with_own, recording);
+  tellStamps(recording);
   setPoses(joined(folder, "traj.txt"), config, recording);
   return recording;
 }
@@ -180,6 +188,7 @@ Recording readIclNuimRecording(const std::string& folder, const SequenceReaderCo
         "the camera is taken as that of ICL-NUIM: focal lengths 481.2 and -480, 5000 units a "
         "metre (--camera)");
   }
+  tellStamps(recording);
   setPoses(joined(folder, *freiburgTrajectoryIn(folder)), config, recording);
   // The trajectory counts images, from 0 or 1.
   if (config.poses_path.empty()) {
