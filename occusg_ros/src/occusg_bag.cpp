@@ -117,6 +117,8 @@ bool isImage(const std::string& type) {
   return type == "sensor_msgs/Image" || type == "sensor_msgs/CompressedImage";
 }
 
+bool isCameraInfo(const std::string& type) { return type == "sensor_msgs/CameraInfo"; }
+
 enum class Picture { kDepth, kColor };
 
 bool isOf(Picture picture, const std::string& topic) {
@@ -124,24 +126,45 @@ bool isOf(Picture picture, const std::string& topic) {
   return picture == Picture::kDepth ? has("depth") : (has("rgb") || has("color")) && !has("depth");
 }
 
+/// Topics with the types of their messages.
+using Topics = std::map<std::string, std::string>;
+
+Topics topicsIn(const Bags& bags, bool (*is_wanted)(const std::string& type)) {
+  Topics topics;
+  for (const auto& bag : bags) {
+    for (const rosbag::ConnectionInfo* connection : rosbag::View(*bag).getConnections())
+      if (is_wanted(connection->datatype)) topics[connection->topic] = connection->datatype;
+  }
+  return topics;
+}
+
+std::string listOf(const Topics& topics) {
+  std::string list;
+  for (const auto& entry : topics) list += (list.empty() ? "" : ", ") + entry.first;
+  return list;
+}
+
+/// @param what the messages that the topic must have.
+/// @param option names the topic.
+void requireTopic(const std::string& topic, const Topics& topics, const Bags& bags,
+                  const std::string& what, const std::string& option) {
+  if (topics.count(topic) > 0) return;
+  throw occusg::refuse(bags.front()->getFileName(), "has no " + what + " on " + topic,
+                       topics.empty() ? "it has none on any topic"
+                                      : "it has " + what + " on " + listOf(topics) + " (" + option +
+                                            " names the topic)");
+}
+
 /// The only topic of images that calls itself depth, or colour; a plain one goes before a
 /// compressed one.
-std::string topicOf(Picture picture, const Bags& bags) {
+std::string topicOf(Picture picture, const Topics& images, const Bags& bags) {
   std::set<std::string> plain;
   std::set<std::string> compressed;
-  std::set<std::string> all;
-  for (const auto& bag : bags) {
-    for (const rosbag::ConnectionInfo* connection : rosbag::View(*bag).getConnections()) {
-      if (!isImage(connection->datatype)) continue;
-      all.insert(connection->topic);
-      if (!isOf(picture, connection->topic)) continue;
-      (connection->datatype == "sensor_msgs/Image" ? plain : compressed).insert(connection->topic);
-    }
-  }
+  for (const auto& [topic, type] : images)
+    if (isOf(picture, topic)) (type == "sensor_msgs/Image" ? plain : compressed).insert(topic);
   if (plain.size() == 1) return *plain.begin();
   if (plain.empty() && compressed.size() == 1) return *compressed.begin();
-  std::string list;
-  for (const std::string& topic : all) list += (list.empty() ? "" : ", ") + topic;
+  const std::string list = listOf(images);
   throw occusg::refuse(bags.front()->getFileName(),
                        list.empty() ? "it has no images" : "its topics of images are " + list,
                        picture == Picture::kDepth
@@ -354,13 +377,23 @@ void report(const InputHealth::Counts& counts, const occusg::Pipeline& pipeline,
     std::cerr << "  the last problem: " << counts.last_problem << '\n';
 }
 
+/// Finds the topics that are not named. @throws occusg::Error for one the bags do not have.
+void chooseTopics(const Bags& bags, Options& options) {
+  const Topics images = topicsIn(bags, isImage);
+  if (options.depth_topic.empty()) options.depth_topic = topicOf(Picture::kDepth, images, bags);
+  requireTopic(options.depth_topic, images, bags, "images", "--depth");
+  if (!options.model.empty()) {
+    if (options.color_topic.empty()) options.color_topic = topicOf(Picture::kColor, images, bags);
+    requireTopic(options.color_topic, images, bags, "images", "--color");
+  }
+  if (options.info_topic.empty()) options.info_topic = infoTopicOf(options.depth_topic);
+  requireTopic(options.info_topic, topicsIn(bags, isCameraInfo), bags, "camera_info", "--info");
+}
+
 int process(Options options) {
   occusg::Pipeline pipeline(occusg::loadConfig(options.config));
   const Bags bags = openedBags(options.bags);
-  if (options.depth_topic.empty()) options.depth_topic = topicOf(Picture::kDepth, bags);
-  if (!options.model.empty() && options.color_topic.empty())
-    options.color_topic = topicOf(Picture::kColor, bags);
-  if (options.info_topic.empty()) options.info_topic = infoTopicOf(options.depth_topic);
+  chooseTopics(bags, options);
   occusg::checkResultsPlace(options.output);
   const occusg::OutputFolder folder(options.output);
   BagRun run(options, pipeline);

@@ -201,6 +201,16 @@ class BagToolsTest(unittest.TestCase):
         self.assertIn("nowhere", self.refused(PLAY, os.path.join(WORK, "nowhere"), "--bag", text))
         self.assertIn("--rate", self.refused(PLAY, RECORDING, "--rate", "0"))
 
+    def test_a_topic_that_is_not_in_the_bag_is_refused_with_those_that_are(self):
+        out = os.path.join(WORK, "no_topic")
+        sentence = self.refused(BAG, self.bag, "-o", out, "--depth", "/depth")
+        self.assertIn("drive.bag: has no images on /depth; it has images on /camera/depth/image_rect (--depth", sentence)
+        sentence = self.refused(BAG, self.bag, "-o", out, "--info", "/camera_info")
+        self.assertIn("has no camera_info on /camera_info; it has camera_info on /camera/depth/camera_info (--info", sentence)
+        sentence = self.refused(BAG, self.bag_of_two_cameras(), "-o", out, "--depth", "/left/depth")
+        self.assertIn("has no camera_info on /left/camera_info; it has none on any topic", sentence)
+        self.assertFalse(os.path.exists(out))
+
     def bag_of_two_cameras(self):
         path = os.path.join(WORK, "two.bag")
         with rosbag.Bag(self.bag) as bag, rosbag.Bag(path, "w") as two:
