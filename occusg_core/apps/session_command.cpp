@@ -18,6 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 namespace po = boost::program_options;
 
+/// Sessions of occusg/scene_graph have none, as its map is another node's.
+constexpr const char* kNoMap = ", but has no 3D map: --map names one when it is resumed";
+
 CommandHelp sessionHelp() {
   return {
       "occusg session check|repair DIR [options]",
@@ -78,13 +81,13 @@ ExitCode sessionCommand(const std::vector<std::string>& arguments) {
       readForRepair(folder, mapConfigFor(folder, config), latestCredibleStamp());
   for (const std::string& repair : read.repairs) std::cout << repair << '\n';
   if (read.repairs.empty()) {
-    std::cout << folder << ": is fine\n";
+    std::cout << folder << ": is fine" << (read.session.map ? "" : kNoMap) << '\n';
     return kFine;
   }
   if (action == "check") return kFailed;
   keepAsItWas(folder);
   save(folder, read.session);
-  std::cout << folder << ": is repaired\n";
+  std::cout << folder << ": is repaired" << (read.session.map ? "" : kNoMap) << '\n';
   return kFine;
 }
 

@@ -52,6 +52,9 @@ expect "map and session" 2 "its own map" run whole -o out --resume kept --map ke
 cp -r kept without_map && rm without_map/map.ot
 sed -i -E 's/"map\.ot": ?\{[^}]*\},?//' without_map/session.json
 expect "session without a map" 1 "was saved without a 3D map" run whole -o out --resume without_map
+expect "check of a session without a map" 0 "" session check without_map
+grep -q "is fine, but has no 3D map: --map names one when it is resumed" out.txt ||
+  fail "session check does not tell that there is no map"
 expect "nothing new" 1 "no frame that is younger" run half -o out --resume kept
 cp -r kept damaged && head -c 1000 kept/map.ot > damaged/map.ot
 expect "damaged session" 1 "damaged/map.ot: is 1000 bytes long" run whole -o other --resume damaged
@@ -78,6 +81,7 @@ done
 
 # --- Sessions that need repair
 expect "session that is fine" 0 "" session check kept
+grep -q "kept: is fine$" out.txt || fail "session check of a session with a map"
 cp -r half_way future && sed -i -E 's/"stamp_s": [0-9.]+/"stamp_s": 4294967295.0/' future/session.json
 expect "stamp from the future" 1 "" session check future
 grep -q "from the future" out.txt || fail "session check does not tell of stamps from the future"
