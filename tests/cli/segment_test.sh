@@ -114,7 +114,22 @@ diff -r inputs untouched || fail "results over a map: the map changed"
 # --- Bad maps
 refused "missing map" "nowhere.yaml" nowhere.yaml
 yaml gone.pgm 0.05 0 > no_picture.yaml
-refused "missing picture" "gone.pgm: does not exist" no_picture.yaml
+refused "missing picture" "no_picture.yaml:1: image is 'gone.pgm', which does not exist" no_picture.yaml
+# Without a scale, too, the file is looked at first.
+refused "missing bare picture" "nowhere.png: does not exist" nowhere.png
+refused "empty name" "the map: has an empty name" ""
+mkdir folder.pgm && refused "folder" "folder.pgm: is a folder" folder.pgm
+printf '# Octomap OcTree binary file\nid OcTree\n' > building.bt
+refused "3D map" "building.bt: is an OctoMap; 'occusg project' reads it" building.bt
+printf 'rooms\n' > rooms.txt
+refused "no picture and no scale" "rooms.txt: is no picture that is read" rooms.txt
+printf '\211PNG\r\n\032\n' > cut.png
+refused "picture cut in its header" "cut.png: ends before it says its size" cut.png --resolution 0.05
+cp map.yaml map_without_ending && cp map.yaml UPPER.YAML
+for name in map_without_ending UPPER.YAML; do
+  expect "$name" 0 "" segment $name -o "out_$name"
+  cmp -s one_dude/labels.yaml "out_$name/labels.yaml" || fail "$name is not read as YAML"
+done
 yaml map.pgm -1 0 > negative.yaml
 refused "negative resolution in YAML" "negative.yaml" negative.yaml
 yaml map.pgm .nan 0 > nan.yaml

@@ -16,17 +16,28 @@ namespace {
 
 /// A picture's size stands within so many bytes, comments of a portable map included.
 constexpr std::size_t kHeaderBytes = 4096;
+/// The size of a BMP, and that of a PNG, ends there.
+constexpr std::size_t kSizeEnd = 26;
 constexpr const char* kPictureIsNeeded = "a PNG, PGM, PPM, PBM, BMP or JPEG is needed";
+
+PictureSize sizeIn(const std::string& bytes, PictureKind kind, std::size_t max_pixels,
+                   const std::string& path) {
+  const PictureSize size = pictureSize(bytes, kind);
+  const bool is_cut = bytes.size() < kSizeEnd || kind == PictureKind::kJpeg;
+  if (is_cut && size.width == 0 && size.height == 0)
+    throw refuse(path, "ends before it says its size", "a complete picture is needed");
+  checkPictureSize(size, max_pixels, path);
+  return size;
+}
 
 cv::Mat decoded(const std::string& path, const std::string& beginning, PictureKind kind,
                 std::size_t max_pixels) {
   // A JPEG's size may stand behind its texts and thumbnails.
-  if (kind != PictureKind::kJpeg) checkPictureSize(pictureSize(beginning, kind), max_pixels, path);
+  if (kind != PictureKind::kJpeg) (void)sizeIn(beginning, kind, max_pixels, path);
   // Compressed data is never much longer than the pixels; the rest is for colours and texts.
   const std::string bytes = readFile(path, 8 * max_pixels + (std::size_t{16} << 20U));
   if (kind == PictureKind::kPng) (void)checkPng(bytes, path, kMaxPictureSide);
-  const PictureSize size = pictureSize(bytes, kind);
-  checkPictureSize(size, max_pixels, path);
+  const PictureSize size = sizeIn(bytes, kind, max_pixels, path);
   const std::vector<unsigned char> buffer(bytes.begin(), bytes.end());
   cv::Mat pixels;
   try {
@@ -69,15 +80,23 @@ MapPicture separated(const cv::Mat& pixels) {
   return picture;
 }
 
+/// The kind of picture that the file begins as.
+PictureKind kindOf(const std::string& path, const std::string& beginning) {
+  const PictureKind kind = pictureKind(beginning);
+  if (kind != PictureKind::kUnknown) return kind;
+  throw refuse(path, beginning.empty() ? "is empty" : "is no picture that is read",
+               kPictureIsNeeded);
+}
+
 }  // namespace
+
+void requirePicture(const std::string& path) {
+  (void)kindOf(path, readBeginning(path, kHeaderBytes));
+}
 
 MapPicture readMapPicture(const std::string& path, std::size_t max_pixels) {
   const std::string beginning = readBeginning(path, kHeaderBytes);
-  const PictureKind kind = pictureKind(beginning);
-  if (kind == PictureKind::kUnknown) {
-    throw refuse(path, beginning.empty() ? "is empty" : "is no picture that is read",
-                 kPictureIsNeeded);
-  }
+  const PictureKind kind = kindOf(path, beginning);
   if (kind == PictureKind::kPortableMap) {
     const PortableMap map = readPortableMap(path, beginning, max_pixels);
     MapPicture picture = separated(map.pixels);

@@ -15,6 +15,9 @@ struct MapPicture {
   std::vector<std::string> assumptions;  ///< Under which it was read, a sentence each.
 };
 
+/// @throws Error naming the file and what it is instead, unless its first bytes are a picture's.
+void requirePicture(const std::string& path);
+
 /// Reads a picture as `map_server` does: PNG, PGM, PPM and PBM (binary or plain), BMP and JPEG;
 /// grey, with a palette or in colour, 1 to 16 bits a channel (the 8 highest count), with alpha or
 /// without. Its size is known and checked before anything of its size is allocated.

@@ -2,16 +2,20 @@
 #include "occusg/io/map_reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <system_error>
 #include <utility>
 
+#include "io/file_bytes.hpp"
 #include "io/json_text.hpp"
 #include "io/map_picture.hpp"
 #include "io/map_values.hpp"
 #include "io/map_yaml.hpp"
+#include "io/picture_size.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/rooms_file.hpp"
 
@@ -23,12 +27,39 @@ constexpr double kDefaultFree = 0.196;
 constexpr double kFinestResolution_m = 1e-3;
 constexpr double kCoarsestResolution_m = 100.0;
 
-bool isYaml(const std::filesystem::path& path) {
-  return path.extension() == ".yaml" || path.extension() == ".yml";
+/// The ending of a file's name in lower case, as in ".yaml".
+std::string endingOf(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+/// By its ending; any file without one of a YAML file by its text, whatever it is called.
+bool isYaml(const std::string& path, const std::string& beginning) {
+  const std::string ending = endingOf(path);
+  if (ending == ".yaml" || ending == ".yml") return true;
+  return pictureKind(beginning) == PictureKind::kUnknown &&
+         (beginning.rfind("image:", 0) == 0 || beginning.find("\nimage:") != std::string::npos);
+}
+
+/// What the file begins with. @throws Error for what is no file, and for a 3D map.
+std::string beginningOf(const std::string& path) {
+  constexpr std::size_t kBeginning = 4096;
+  constexpr const char* kMapIsNeeded = "a map_server YAML file or a picture is needed";
+  if (path.empty()) throw refuse("the map", "has an empty name", kMapIsNeeded);
+  std::error_code failed;
+  if (std::filesystem::is_directory(path, failed)) throw refuse(path, "is a folder", kMapIsNeeded);
+  std::string beginning = readBeginning(path, kBeginning);
+  const std::string ending = endingOf(path);
+  if (beginning.rfind("# Octomap", 0) == 0 || ending == ".bt" || ending == ".ot")
+    throw refuse(path, "is an OctoMap", "'occusg project' reads it and makes such a map");
+  return beginning;
 }
 
 MapDescription barePicture(const std::string& path, const MapReaderOptions& options) {
   if (!options.resolution_m) {
+    requirePicture(path);
     throw refuse(path, "says nothing of its scale",
                  "the metres of a pixel are needed (--resolution)");
   }
@@ -123,8 +154,9 @@ GridMap readMap(const std::string& path, const MapReaderOptions& options) {
                  "a number from 1 to " + std::to_string(kMaxMapCells) + " is needed");
   }
   std::vector<std::string> assumptions;
-  const MapDescription map =
-      isYaml(path) ? readMapYaml(path, options, assumptions) : barePicture(path, options);
+  const MapDescription map = isYaml(path, beginningOf(path))
+                                 ? readMapYaml(path, options, assumptions)
+                                 : barePicture(path, options);
   check(map, path);
   const MapPicture picture = readMapPicture(map.picture_path, options.max_cells);
   checkReach(map, picture.grey, path);

@@ -153,7 +153,11 @@ class Reader {
     const fs::path written = folder / name;
     const fs::path beside = folder / fs::path(name).filename();
     std::error_code ignored;
-    if (fs::exists(written, ignored) || !fs::exists(beside, ignored)) return written.string();
+    if (fs::exists(written, ignored)) return written.string();
+    if (!fs::exists(beside, ignored)) {
+      throw wrong("image", "'" + shown(name) + "', which does not exist",
+                  "the picture of the map is needed");
+    }
     assumptions.push_back("the image " + shown(name) +
                           " is not there; the picture of that name beside " + path_ + " was read");
     return beside.string();

@@ -130,7 +130,8 @@ TEST_F(MapReader, OptionsGoBeforeTheYaml) {
 }
 
 TEST_F(MapReader, BrokenYamlIsNamedWithItsLine) {
-  EXPECT_TRUE(tells(yamlFails("image: map.pgm", "image: gone.pgm"), {"gone.pgm: does not exist"}));
+  EXPECT_TRUE(tells(yamlFails("image: map.pgm", "image: gone.pgm"),
+                    {"map.yaml:", "image is 'gone.pgm', which does not exist"}));
   EXPECT_TRUE(tells(yamlFails("image: map.pgm\n", ""), {"map.yaml: names no image"}));
   EXPECT_TRUE(tells(yamlFails("0.05", "0"), {"map.yaml: has a resolution of 0"}));
   EXPECT_TRUE(tells(yamlFails("0.05", "-0.05"), {"has a resolution of -0.05 m"}));
