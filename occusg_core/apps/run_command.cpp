@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -266,6 +267,50 @@ void failWhenMostPosesAreBad(const MapCounts& counts, const std::string& scene) 
                "poses in metres near the origin of the map frame are needed");
 }
 
+void failWhenMostFramesHaveNoDepth(const MapCounts& counts, const std::string& scene) {
+  if (2 * counts.frames_without_depth <= counts.frames) return;
+  throw refuse(scene,
+               std::to_string(counts.frames_without_depth) + " of " +
+                   std::to_string(counts.frames) +
+                   " frames have no pixel with a depth that can be used",
+               "is --depth-scale, the pixel value of one metre, right?");
+}
+
+/// A hint when most depths are those of a table top; empty when they are those of rooms.
+std::string doubtOnDepths(const SequenceReader& sequence, const FrameRange& frames) {
+  constexpr std::size_t kSampledFrames = 20;
+  constexpr double kTooNear_m = 0.5;
+  std::size_t near = 0;
+  std::size_t all = 0;
+  const std::size_t step = std::max<std::size_t>(1, frames.size() / kSampledFrames);
+  for (std::size_t i = frames.first; i < frames.end; i += step) {
+    try {
+      const DepthImage depth = sequence.read(i).depth;
+      const int valid = cv::countNonZero(depth.pixels);
+      const cv::Mat far = depth.pixels >= kTooNear_m * depth.units_per_m;
+      all += static_cast<std::size_t>(valid);
+      near += static_cast<std::size_t>(valid - cv::countNonZero(far));
+    } catch (const Error&) {  // told already
+      continue;
+    }
+  }
+  if (2 * near <= all) return "";
+  return "most depths are below 0.5 m: is the unit of the depth images right (--depth-scale)?";
+}
+
+/// Says why there is no room, and what is odd about those there are.
+void tellDoubtsOnRooms(const Pipeline& pipeline, const SequenceReader& sequence,
+                       const FrameRange& frames) {
+  if (pipeline.graph().nodes(NodeType::kRoom).empty()) {
+    std::cerr << "occusg: no rooms: "
+              << whyNoRooms(pipeline.freeSpace(), smallestRegion_m2(pipeline.config())) << '\n';
+    const std::string on_depths = doubtOnDepths(sequence, frames);
+    if (!on_depths.empty()) std::cerr << "occusg: " << on_depths << '\n';
+  }
+  const std::string doubt = doubtOnLargestRoom(pipeline.graph());
+  if (!doubt.empty()) std::cerr << "occusg: " << doubt << " (--depth-scale)\n";
+}
+
 void printCounts(const PipelineCounts& counts) {
   const PixelDrops& drops = counts.pixel_drops;
   std::cout << "\n  " << counts.frames << " frames, " << counts.points
@@ -387,6 +432,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   failWhenMostFramesAreBad(outcome, sequence.scene());
   failWhenNoFrameIsNew(outcome, sequence.scene());
   failWhenMostPosesAreBad(pipeline.counts(), sequence.scene());
+  failWhenMostFramesHaveNoDepth(pipeline.counts(), sequence.scene());
   // Before `finish`, and written after the results: a session that cannot be saved costs none.
   std::optional<SessionState> session;
   std::vector<std::string> problems;
@@ -404,12 +450,7 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   });
 
   printRooms(roomsOf(pipeline, sequence.scene()));
-  if (pipeline.graph().nodes(NodeType::kRoom).empty()) {
-    std::cerr << "occusg: no rooms: "
-              << whyNoRooms(pipeline.freeSpace(), smallestRegion_m2(pipeline.config())) << '\n';
-  }
-  const std::string doubt = doubtOnLargestRoom(pipeline.graph());
-  if (!doubt.empty()) std::cerr << "occusg: " << doubt << " (--depth-scale)\n";
+  tellDoubtsOnRooms(pipeline, sequence, frames);
   printTimes(times);
   printCounts(pipeline.counts());
   if (outcome.frames_known > 0)

@@ -142,6 +142,14 @@ sed -i '3,10s/ depth/ nowhere/' hopeless/depth.txt
 expect "most frames bad" 1 "8 of 12 frames" run hopeless -o hopeless_out
 [ -z "$(ls hopeless_out 2> /dev/null)" ] || fail "a failed run wrote results"
 
+# --- The unit of the depth images
+expect "depth in metres" 1 "24 of 24 frames have no pixel with a depth" run short -o out_metres --depth-scale 1
+grep -qF -- "is --depth-scale, the pixel value of one metre, right?" err.txt || fail "depth in metres: the likely reason is not named"
+[ -z "$(ls out_metres 2> /dev/null)" ] || fail "a run without any depth wrote results"
+expect "depth ten times too short" 0 "most depths are below 0.5 m: is the unit of the depth images right (--depth-scale)?" \
+  run short -o out_near --depth-scale 10000
+grep -qF "no rooms" err.txt || fail "depth ten times too short: there should be no rooms"
+
 # --- Poses of other systems: what is wrong is seen, and the named option mends it
 poses_of() { python3 "$(dirname "${BASH_SOURCE[0]}")/other_world_poses.py" "$1" "$recording/groundtruth.txt"; }
 rooms_in() { grep -c '"id"' "$1/rooms.json"; }
