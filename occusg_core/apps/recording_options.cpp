@@ -16,6 +16,8 @@ namespace po = boost::program_options;
 
 constexpr std::size_t kSampledFrames = 40;
 constexpr double kRadToDeg = 180.0 / 3.14159265358979323846;
+/// From there on the map, or the camera, is upside down.
+constexpr double kUpsideDown_deg = 150.0;
 /// So near the map is taken as right.
 constexpr double kRight_deg = 30.0;
 
@@ -70,8 +72,11 @@ std::string sentenceOnDown(const MapOrientation& orientation, const std::string&
     sentence = "down in the images is about " + rounded(orientation.down_off_rad * kRadToDeg, 0) +
                " degrees away from the map's -z: is z up? ";
   }
-  return sentence + (option.empty() ? "--level turns the map so that it is"
-                                    : "with " + option + " it would be the map's -z");
+  if (!option.empty()) return sentence + "with " + option + " it would be the map's -z";
+  sentence += "--level turns the map so that it is";
+  // Images of a camera that hangs upside down under a map that lies right are the same.
+  if (orientation.down_off_rad * kRadToDeg < kUpsideDown_deg) return sentence;
+  return sentence + ", unless the camera was mounted upside down: then nothing is to be done";
 }
 
 std::string sentenceOnFloor(double floor_z_m) {

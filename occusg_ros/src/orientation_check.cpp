@@ -9,6 +9,8 @@ namespace occusg_ros {
 namespace {
 
 constexpr double kPeriod_s = 1.0;
+/// From there on the map, or the camera, is upside down.
+constexpr double kUpsideDown_deg = 150.0;
 constexpr double kRadToDeg = 180.0 / 3.14159265358979323846;
 
 template <typename Number>
@@ -32,10 +34,13 @@ std::string OrientationCheck::doubt() const {
   if (samples_ == 0) return "";
   const occusg::MapOrientation map = estimator_.estimate();
   if (isTilted(map)) {
-    return formatted(
+    const double off_deg = map.down_off_rad * kRadToDeg;
+    const std::string doubt = formatted(
         "down in the images is about %.0f degrees away from the map frame's -z: is z up there, and "
         "is the images' frame the camera's optical frame (z forward)?",
-        map.down_off_rad * kRadToDeg);
+        off_deg);
+    if (off_deg < kUpsideDown_deg) return doubt;
+    return doubt + " If the camera was mounted upside down, nothing is to be done.";
   }
   if (hasFarFloor(map)) {
     return formatted(

@@ -158,6 +158,8 @@ expect "the recording as it is" 0 "" run whole -o as_it_is
 short_recording slam 400 && poses_of first-camera > slam/groundtruth.txt
 expect "the world is the first camera" 0 "degrees away from the map's -z: is z up? --level" run slam -o out_slam
 expect "the same, strict" 1 "is z up?" run slam -o out_strict --strict
+short_recording hung 400 && poses_of upside-down > hung/groundtruth.txt
+expect "a camera upside down" 0 "unless the camera was mounted upside down: then nothing is to be done" run hung -o out_hung
 expect "--level" 0 "levelled: the map was turned by" run slam -o level --level
 [ "$(rooms_in level)" -eq "$(rooms_in as_it_is)" ] || fail "--level does not find the rooms again"
 short_recording body 400 && poses_of body > body/groundtruth.txt

@@ -4,7 +4,8 @@
 
 Usage: other_world_poses.py KIND GROUNDTRUTH > POSES
 KIND: first-camera (the world is the first camera, as ORB-SLAM has it), body (x forward, z up),
-      w-first (quaternions qw qx qy qz), low (everything 3 m lower), sparse (every second pose)
+      upside-down (the camera turned half about its axis), w-first (quaternions qw qx qy qz),
+      low (everything 3 m lower), sparse (every second pose)
 """
 import sys
 
@@ -44,6 +45,8 @@ def main():
             rotation = product(conjugate(first), rotation)
         elif kind == 'body':
             rotation = product(rotation, conjugate(optical_in_body))
+        elif kind == 'upside-down':
+            rotation = product(rotation, (0.0, 0.0, 1.0, 0.0))
         elif kind == 'low':
             position = [*position[:2], position[2] - 3.0]
         elif kind == 'sparse' and number % 2:

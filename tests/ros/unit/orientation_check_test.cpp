@@ -31,6 +31,13 @@ TEST(OrientationCheck, AMapFrameWhoseZIsNotUpIsSaid) {
   EXPECT_NE(doubtAbout(T_other_map).find("is about 92 degrees away"), std::string::npos);
 }
 
+TEST(OrientationCheck, AMapThatIsUpsideDownMayBeThatOfACameraThatIs) {
+  occusg::Pose T_other_map = occusg::Pose::Identity();
+  T_other_map.linear() = Eigen::AngleAxisd(3.14, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  EXPECT_NE(doubtAbout(T_other_map).find("mounted upside down, nothing is to be done"),
+            std::string::npos);
+}
+
 TEST(OrientationCheck, AWrongUnitOfTheDepthImagesShowsInTheFloor) {
   EXPECT_NE(doubtAbout(occusg::Pose::Identity(), 250.0)
                 .find("the lowest floor that was seen is at z = -"),
