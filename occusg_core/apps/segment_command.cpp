@@ -66,8 +66,9 @@ po::options_description segmentOptions() {
                                         "trinary, scale or raw (without YAML: trinary)")(
       "strict", "what the map leaves open is an error, not an assumption")(
       "max-cells", po::value<std::int64_t>()->default_value(kDefaultMaxMapCells),
-      "larger maps are refused")("debug-drawing", po::value<std::string>(),
-                                 "PNG that shows how dude, then the decomposer, found its cuts");
+      "larger maps are refused")(
+      "debug-drawing", po::value<std::string>(),
+      "PNG that shows how dude found its cuts; the decomposer, and the rooms, are then dude's");
   return options;
 }
 
@@ -120,6 +121,13 @@ MapReaderOptions readerOptionsFrom(const po::variables_map& values) {
 PipelineConfig configFrom(const po::variables_map& values) {
   PipelineConfig config = givenConfig(values);
   const bool wants_dude = values.count("d-thr") + values.count("debug-drawing") > 0;
+  // Who asks for a drawing does not ask for other rooms.
+  const bool is_changed = values.count("d-thr") + values.count("decomposer") == 0 && wants_dude &&
+                          config.decomposer != DecomposerKind::kDude;
+  if (is_changed) {
+    std::cerr << "occusg: --debug-drawing draws the steps of the decomposer dude, so the rooms are "
+                 "those of dude\n";
+  }
   if (wants_dude) config.decomposer = DecomposerKind::kDude;
   config = overridden(config, values, "decomposer", "regions.decomposer");
   config = overridden(config, values, "d-thr", "regions.dude.depth_threshold_m");

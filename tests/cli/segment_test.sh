@@ -77,6 +77,9 @@ expect "labels are evaluated as the rooms" 0 "" eval bare/labels.png bare/rooms.
 grep -qE '0.75 +1.000 +1.000 +1.000 +1.000' out.txt || fail "labels.png and rooms.json differ"
 expect "drawing" 0 "" segment map.yaml -o drawn --decomposer dude --d-thr 1.5 --debug-drawing steps.png
 [ -s steps.png ] || fail "no drawing"
+expect "drawing of rooms of another decomposer" 0 "so the rooms are those of dude" \
+  segment map.yaml -o drawn_too --debug-drawing steps.png
+cmp -s one_dude/rooms.json drawn_too/rooms.json || fail "drawing: the rooms are not those of dude"
 expect "deep threshold" 0 "" segment map.yaml -o deep --d-thr 30
 [ "$(grep -c '"id":' deep/rooms.json)" -eq 1 ] || fail "--d-thr changes nothing"
 
