@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -162,6 +163,29 @@ RoomMetrics evaluated(const std::vector<RoomOnStorey>& predicted,
   return evaluateRooms(all.predicted, all.truth, options);
 }
 
+bool overlap(const std::vector<RoomOnStorey>& predicted, const std::vector<RoomOnStorey>& truth) {
+  return std::any_of(predicted.begin(), predicted.end(), [&](const RoomOnStorey& a) {
+    return std::any_of(truth.begin(), truth.end(), [&](const RoomOnStorey& b) {
+      return intersectionArea(a.room, b.room) > 0.0;
+    });
+  });
+}
+
+/// Two sides of different frames get zeros everywhere, as bad predictions do.
+void tellWhenApart(const std::vector<RoomOnStorey>& predicted,
+                   const std::vector<RoomOnStorey>& truth, const po::variables_map& values) {
+  const bool may_be_moved = values["align"].as<std::string>() != "none";
+  if (may_be_moved || predicted.empty() || truth.empty() || overlap(predicted, truth)) return;
+  std::cerr << "occusg: no predicted room overlaps an annotated one: are both sides in the same "
+               "frame? A PNG lies with its lower left corner at (0, 0); --align moves the truth\n";
+}
+
+/// @throws UsageError for a scale that nothing is read with.
+void checkScale(const po::variables_map& values, const std::vector<std::string>& paths) {
+  if (values.count("resolution") == 0 || std::any_of(paths.begin(), paths.end(), isPicture)) return;
+  throw UsageError("--resolution is that of a PNG of room ids, but neither side is a PNG");
+}
+
 }  // namespace
 
 ExitCode evalCommand(const std::vector<std::string>& arguments) {
@@ -172,12 +196,14 @@ ExitCode evalCommand(const std::vector<std::string>& arguments) {
   metrics_options.alignment = alignmentNamed(values["align"].as<std::string>());
   const std::string predicted_path = values["PREDICTED"].as<std::string>();
   const std::string truth_path = values["TRUTH"].as<std::string>();
+  checkScale(values, {predicted_path, truth_path});
   const auto json_path = given<std::string>(values, "json");
   if (json_path) checkNotAnInput(*json_path, {predicted_path, truth_path});
   const auto predicted = isPicture(predicted_path) ? roomsOfPicture(predicted_path, values)
                                                    : roomsOfFile(predicted_path);
   const auto truth =
       isPicture(truth_path) ? roomsOfPicture(truth_path, values) : truthOfFile(truth_path);
+  tellWhenApart(predicted, truth, values);
   const RoomMetrics metrics = evaluated(predicted, truth, metrics_options);
   print(metrics);
   if (json_path) OutputFile(*json_path).write(toJson(metrics));

@@ -104,6 +104,12 @@ cat > storeys.json << 'END'
  {"id": 1, "storey": 0, "polygon": [[0, 0], [4, 0], [4, 4], [0, 4]]},
  {"id": 2, "storey": 1, "polygon": [[0, 0], [4, 0], [4, 4], [0, 4]]}]}
 END
+cat > elsewhere.json << 'END'
+{"rooms": [{"id": 1, "polygon": [[90, 0], [94, 0], [94, 4], [90, 4]]}]}
+END
+expect "eval of two frames" 0 "no predicted room overlaps an annotated one" eval elsewhere.json "$recording/rooms.json"
+grep -qF "A PNG lies with its lower left corner at (0, 0)" err.txt || fail "eval of two frames: where a PNG lies is not told"
+expect "a scale without a PNG" 2 "neither side is a PNG" eval one/rooms.json "$recording/rooms.json" --resolution -1
 expect "eval storey by storey" 0 "" eval storeys.json truth_storeys.json
 grep -q "storey at 3.00 m: predicted rooms: 1, none annotated there" out.txt || fail "eval: the storey without truth is not told"
 grep -q "0.50  0.500  0.500  0.500" out.txt || fail "eval: a room of another storey was matched"
