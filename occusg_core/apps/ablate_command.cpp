@@ -57,10 +57,13 @@ Variation variationFrom(const po::variables_map& given) {
     variation.key = text.substr(0, equals);
     list = text.substr(equals + 1);
   }
-  std::istringstream values(list);
-  for (std::string value; std::getline(values, value, ',');)
-    if (!value.empty()) variation.values.push_back(value);
-  if (variation.values.empty()) throw UsageError("no value is given for " + variation.key);
+  if (list.empty()) throw UsageError("no value is given for " + variation.key);
+  std::istringstream values(list + ",");  // what follows the last comma is a value too
+  for (std::string value; std::getline(values, value, ',');) {
+    if (value.empty())
+      throw UsageError("the values of " + variation.key + " are '" + list + "'; one is empty");
+    variation.values.push_back(value);
+  }
   return variation;
 }
 

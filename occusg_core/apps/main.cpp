@@ -58,9 +58,18 @@ Command commandNamed(const std::string& name) {
   std::vector<std::string> names;
   names.reserve(known.size());
   for (const auto& entry : known) names.push_back(entry.first);
-  const std::string suggestion = suggestionFor(name, names);
-  throw UsageError("unknown command '" + name + "'" +
+  const bool is_option = name.rfind('-', 0) == 0;
+  const std::string suggestion =
+      suggestionFor(name, is_option ? std::vector<std::string>{"--help", "--version"} : names);
+  throw UsageError((is_option ? "unknown option '" : "unknown command '") + name + "'" +
                    (suggestion.empty() ? std::string() : "; " + suggestion));
+}
+
+/// @throws UsageError when more arguments are given than are looked at.
+void requireAtMost(std::size_t count, const std::vector<std::string>& arguments,
+                   const std::string& name) {
+  if (arguments.size() > count)
+    throw UsageError("'" + arguments[count] + "' is one argument too many for '" + name + "'");
 }
 
 ExitCode dispatch(std::vector<std::string> arguments) {
@@ -68,11 +77,16 @@ ExitCode dispatch(std::vector<std::string> arguments) {
   const std::string name = arguments.front();
   arguments.erase(arguments.begin());
   if (name == "--version") {
+    requireAtMost(0, arguments, name);
     std::cout << versionText() << '\n';
     return kFine;
   }
-  if (name == "help" && !arguments.empty()) return commandNamed(arguments.front())({"--help"});
+  if (name == "help" && !arguments.empty()) {
+    requireAtMost(1, arguments, name);
+    return commandNamed(arguments.front())({"--help"});
+  }
   if (name == "--help" || name == "-h" || name == "help") {
+    requireAtMost(0, arguments, name);
     std::cout << kHelp;
     return kFine;
   }

@@ -25,6 +25,11 @@ done
 expect "help for a misspelt command" 2 "did you mean 'segment'" help segmnt
 expect "no command" 2 "no command given"
 expect "misspelt command" 2 "did you mean 'eval'" evl
+expect "two letters of a command swapped" 2 "unknown command 'rnu'; did you mean 'run'?" rnu
+expect "misspelt option of the program" 2 "unknown option '--versoin'; did you mean '--version'?" --versoin
+expect "too much after help" 2 "'extra' is one argument too many for 'help'" help run extra
+expect "too much after --version" 2 "'extra' is one argument too many for '--version'" --version extra
+expect "an empty value among others" 2 "are '1,,2'; one is empty" ablate short -o out --d-thr 1,,2
 expect "run without a sequence" 2 "SEQUENCE is missing" run -o out
 expect "run without an output" 2 "--output is missing (folder for the results" run short
 expect "unknown option" 2 "unknown option '--fast' (see 'occusg help run')" run short -o out --fast

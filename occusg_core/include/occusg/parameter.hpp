@@ -95,7 +95,7 @@ template <typename Enum>
 /// Shortest decimal text that reads back as `value`; ".inf" and "-.inf" as in YAML.
 [[nodiscard]] std::string shortestText(double value);
 
-/// How many bytes have to be added, removed or replaced to make `b` of `a` (Levenshtein 1966).
+/// Bytes to be added, removed, replaced or swapped with the next to make `b` of `a` (Damerau).
 [[nodiscard]] std::size_t editDistance(const std::string& a, const std::string& b);
 
 /// The name in `names` that a user who typed `name` may have meant: fewest edits, at most one in

@@ -89,6 +89,7 @@ TEST(NearestName, IsTheOneWithFewestEdits) {
             "perception.depth.stride");
   EXPECT_EQ(nearestName("foo", {"perception.depth.stride", "regions.period_s"}), "");
   EXPECT_EQ(suggestionFor("evl", {"eval", "run"}), "did you mean 'eval'?");
+  EXPECT_EQ(suggestionFor("rnu", {"eval", "run"}), "did you mean 'run'?");
   EXPECT_EQ(suggestionFor("query", {"merge", "run"}), "");
 }
 
