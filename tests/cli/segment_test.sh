@@ -69,6 +69,12 @@ sed 's/map.pgm/more.pgm/; s/0.196/0.25/' map.yaml > nav2.yaml
 expect "unknown grey" 0 "grey 205 (1 % of the pixels) counts as unknown" segment nav2.yaml -o nav2
 [ "$(grep -c '"id":' nav2/rooms.json)" -eq 2 ] || fail "unknown grey: not two rooms"
 refused "unknown grey, strict" "without --strict this is assumed" nav2.yaml --strict
+{ cat map.pgm; repeat 7 376; } > longer.pgm
+expect "bytes behind the pixels" 0 "longer.pgm: 7 bytes follow the picture's last pixel and were left out" \
+  segment longer.pgm -o longer --resolution 0.05
+refused "bytes behind the pixels, strict" "7 bytes follow" longer.pgm --resolution 0.05 --strict
+{ cat map.pgm; echo; } > with_newline.pgm
+expect "a line end behind the pixels" 0 "" segment with_newline.pgm -o with_newline --resolution 0.05
 expect "bare picture" 0 "" segment map.pgm -o bare --resolution 0.05
 grep -qF '[0.25,0.25]' bare/rooms.json || fail "a bare picture does not begin at (0, 0)"
 expect "origin" 0 "" segment map.pgm -o moved --resolution 0.05 --origin 0.01,0

@@ -107,6 +107,12 @@ MapPicture readMapPicture(const std::string& path, std::size_t max_pixels) {
           ", the largest by its header; " + (map.clipped_values == 1 ? "it was" : "they were") +
           " read as that");
     }
+    if (map.left_over_bytes > 0) {
+      picture.assumptions.push_back(std::to_string(map.left_over_bytes) +
+                                    (map.left_over_bytes == 1 ? " byte follows" : " bytes follow") +
+                                    " the picture's last pixel and " +
+                                    (map.left_over_bytes == 1 ? "was" : "were") + " left out");
+    }
     return picture;
   }
   const cv::Mat pixels = decoded(path, beginning, kind, max_pixels);

@@ -108,11 +108,18 @@ cv::Mat emptyPicture(const Header& header) {
   return cv::Mat(header.height, header.width, CV_8UC(header.channels()));
 }
 
-cv::Mat binaryBits(const std::string& bytes, const Header& header, const std::string& path) {
+/// Bytes from `end` on, 0 when all of them are blanks.
+std::size_t leftOver(const std::string& bytes, std::size_t end) {
+  const bool all_blank = std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(end), bytes.end(),
+                                     [](unsigned char c) { return std::isspace(c) != 0; });
+  return all_blank ? 0 : bytes.size() - end;
+}
+
+PortableMap binaryBits(const std::string& bytes, const Header& header, const std::string& path) {
   const std::size_t start = header.end + 1;
   const std::size_t row_bytes = (static_cast<std::size_t>(header.width) + 7) / 8;
-  if (bytes.size() < start + row_bytes * static_cast<std::size_t>(header.height))
-    refuseShort(path, header);
+  const std::size_t end = start + row_bytes * static_cast<std::size_t>(header.height);
+  if (bytes.size() < end) refuseShort(path, header);
   cv::Mat pixels = emptyPicture(header);
   for (int row = 0; row < header.height; ++row) {
     const char* source = bytes.data() + start + static_cast<std::size_t>(row) * row_bytes;
@@ -122,7 +129,7 @@ cv::Mat binaryBits(const std::string& bytes, const Header& header, const std::st
       target[x] = ((byte >> (7 - x % 8)) & 1U) != 0 ? 0 : 255;
     }
   }
-  return pixels;
+  return {pixels, 0, header.largest, leftOver(bytes, end)};
 }
 
 PortableMap binaryValues(const std::string& bytes, const Header& header, const std::string& path) {
@@ -130,7 +137,8 @@ PortableMap binaryValues(const std::string& bytes, const Header& header, const s
   const std::size_t value_bytes = header.largest > 255 ? 2 : 1;
   if (bytes.size() < start || bytes.size() - start < header.values() * value_bytes)
     refuseShort(path, header);
-  PortableMap map{emptyPicture(header), 0, header.largest};
+  const std::size_t end = start + header.values() * value_bytes;
+  PortableMap map{emptyPicture(header), 0, header.largest, leftOver(bytes, end)};
   auto* target = map.pixels.ptr<std::uint8_t>();
   const auto* source = reinterpret_cast<const unsigned char*>(bytes.data()) + start;
   for (std::size_t i = 0; i < header.values(); ++i, source += value_bytes) {
@@ -170,8 +178,8 @@ PortableMap readPortableMap(const std::string& path, const std::string& beginnin
   const std::size_t max_bytes = 7 * header.values() + (std::size_t{1} << 20U);
   const std::string bytes = readFile(path, max_bytes);
   if (header.kind > '4') return binaryValues(bytes, header, path);
-  return {header.kind == '4' ? binaryBits(bytes, header, path) : plainValues(bytes, header, path),
-          0, header.largest};
+  if (header.kind == '4') return binaryBits(bytes, header, path);
+  return {plainValues(bytes, header, path), 0, header.largest, 0};
 }
 
 }  // namespace occusg

@@ -13,6 +13,7 @@ struct PortableMap {
   /// Values above `largest`, which the header gives; they were read as that.
   std::size_t clipped_values = 0;
   int largest = 255;
+  std::size_t left_over_bytes = 0;  ///< Behind the last pixel of a binary map; blanks are none.
 };
 
 /// Reads a portable bit, grey or pixel map (netpbm: P1 to P6), binary or plain, any largest value.
