@@ -6,6 +6,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$root/build/release"
 
+usage="usage: scripts/build.sh [--no-install] [--without-ros] [--tests] [CMAKE_OPTION...]"
 install=yes
 with_ros=ON
 with_tests=OFF
@@ -14,14 +15,16 @@ while [ $# -gt 0 ]; do
     --no-install) install=no ;;
     --without-ros) with_ros=OFF ;;
     --tests) with_tests=ON ;;
+    -h | --help) echo "$usage"; exit 0 ;;
     *) break ;;
   esac
   shift
 done
 for argument in "$@"; do
   case $argument in
-    -*) ;;
-    *) echo "usage: scripts/build.sh [--no-install] [--without-ros] [--tests] [CMAKE_OPTION...]" >&2; exit 2 ;;
+    --*) echo "build.sh: '$argument' is none of its options, nor one of CMake's such as -DNAME=VALUE; $usage" >&2; exit 2 ;;
+    -?*) ;;
+    *) echo "build.sh: '$argument' is no option; $usage" >&2; exit 2 ;;
   esac
 done
 

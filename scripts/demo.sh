@@ -9,7 +9,8 @@ install=yes
 for argument in "$@"; do
   case $argument in
     --no-install) install=no ;;
-    *) echo "usage: scripts/demo.sh [--no-install]" >&2; exit 2 ;;
+    -h | --help) echo "usage: scripts/demo.sh [--no-install]"; exit 0 ;;
+    *) echo "demo.sh: '$argument' is none of its options; usage: scripts/demo.sh [--no-install]" >&2; exit 2 ;;
   esac
 done
 

@@ -7,8 +7,10 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-usage() {
-  echo "usage: scripts/test.sh [--no-install] [--without-ros] [--without GROUP]... [CMAKE_OPTION...]" >&2
+usage="usage: scripts/test.sh [--no-install] [--without-ros] [--without GROUP]... [CMAKE_OPTION...]"
+# refuse WHAT: ends with a sentence and the form.
+refuse() {
+  echo "test.sh: $1; $usage" >&2
   exit 2
 }
 groups=(core cli ros_unit rostest browser interchange packaging)
@@ -22,12 +24,15 @@ while [ $# -gt 0 ]; do
       left_out+=(ros_unit rostest)
       ;;
     --without)
-      [[ " ${groups[*]} " = *" ${2:-} "* ]] || usage
+      [ $# -gt 1 ] || refuse "--without needs a group, one of ${groups[*]}"
+      [[ " ${groups[*]} " = *" $2 "* ]] || refuse "--without: '$2' is none of ${groups[*]}"
       left_out+=("$2")
       shift
       ;;
+    -h | --help) echo "$usage"; exit 0 ;;
+    --*) refuse "'$1' is none of its options, nor one of CMake's such as -DNAME=VALUE" ;;
     -?*) break ;;
-    *) usage ;;
+    *) refuse "'$1' is no option" ;;
   esac
   shift
 done
