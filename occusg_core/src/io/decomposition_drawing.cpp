@@ -13,6 +13,7 @@
 #include "io/json_text.hpp"
 #include "io/map_drawing.hpp"
 #include "io/overview_view.hpp"
+#include "io/text_lines.hpp"
 #include "regions/dude_pockets.hpp"
 
 namespace occusg {

@@ -63,10 +63,6 @@ void paintCells(Canvas& canvas, const OverviewView& view, const FreeSpace& layer
   }
 }
 
-std::string counted(std::size_t count, const std::string& one) {
-  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-}
-
 void drawTitle(Canvas& canvas, const std::string& title, const std::string& facts) {
   constexpr double kTitleBase_px = 54.0;
   constexpr double kFactsBase_px = 84.0;

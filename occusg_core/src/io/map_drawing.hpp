@@ -30,9 +30,6 @@ void drawTitle(Canvas& canvas, const std::string& title, const std::string& fact
 /// A round length that fits, in the lower right corner.
 void drawScaleBar(Canvas& canvas, const OverviewView& view);
 
-/// "1 room", "2 rooms".
-[[nodiscard]] std::string counted(std::size_t count, const std::string& one);
-
 /// A legend under construction: each entry is a sign and a word, from left to right.
 class Legend {
  public:

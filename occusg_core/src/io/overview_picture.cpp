@@ -15,6 +15,7 @@
 #include "io/overview_graph.hpp"
 #include "io/overview_labels.hpp"
 #include "io/overview_view.hpp"
+#include "io/text_lines.hpp"
 #include "occusg/error.hpp"
 
 namespace occusg {

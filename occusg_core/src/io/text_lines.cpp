@@ -72,6 +72,10 @@ std::optional<double> numberIn(const std::string& word) {
   return value;
 }
 
+std::string counted(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
 bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }
 
 std::string shown(const std::string& text) {

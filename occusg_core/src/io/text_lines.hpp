@@ -30,6 +30,9 @@ inline constexpr std::size_t kMaxLines = 1'000'000;
 /// A finite decimal number that fills the whole word, in any locale; empty for anything else.
 [[nodiscard]] std::optional<double> numberIn(const std::string& word);
 
+/// A number and what it counts, in the plural where there is not one.
+[[nodiscard]] std::string counted(std::size_t count, const std::string& one);
+
 /// A byte no name or sentence should hold: a zero, a line end, the start of a terminal command.
 [[nodiscard]] bool isControl(char c);
 

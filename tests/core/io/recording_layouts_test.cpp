@@ -238,6 +238,20 @@ TEST(SequenceReader, ByteOrderMarksBeforeTheListsAreNoPartOfThem) {
   EXPECT_TRUE(reader.unusableLines().empty());
 }
 
+TEST(Trajectories, AColumnThatIsNoPartOfAPoseIsNamedWhenTheLinesCannotBeRead) {
+  const RecordedSequence sequence(1);
+  const auto sentence = [&](const std::string& header, const std::string& line) {
+    sequence.folder.write("odd.txt", header + "\n" + line + "\n");
+    return sentenceOf(
+        [&] { SequenceReader(sequence.path(), withPoses(sequence.folder.at("odd.txt"))); });
+  };
+  EXPECT_TRUE(
+      tells(sentence("#timestamp x y z qx qy qz qw confidence", "0 4 2 3 0.5 -0.5 0.5 -0.5 9"),
+            {"odd.txt:2", "has 9 fields", "the header's column \"confidence\""}));
+  EXPECT_TRUE(tells(sentence("time x y z roll pitch yaw quality", "0 4 2 3 0.5 0.1 0.2 9"),
+                    {"odd.txt:2", "norm", "the header's column \"roll\""}));
+}
+
 TEST(Trajectories, WFirstWhenItIsSaid) {
   const RecordedSequence sequence(1);
   sequence.folder.write("w.txt", "0.0 4 2 3 -0.5 0.5 -0.5 0.5\n");

@@ -35,7 +35,14 @@ struct Format {
   bool has_id = false;
   bool has_further_columns = false;    ///< Only the first eight count.
   std::optional<double> stamp_unit_s;  ///< Where the header states it.
+  std::string odd_column;              ///< One the header names that is no part of a pose.
 };
+
+/// What may be why a line cannot be read, for the end of a sentence; empty for nothing.
+std::string oddColumn(const Format& format) {
+  if (format.odd_column.empty()) return "";
+  return ", and the header's column \"" + shown(format.odd_column) + "\" is no part of that";
+}
 
 std::string withSpaces(std::string text) {
   std::replace_if(
@@ -81,6 +88,23 @@ std::size_t placeOfQuaternionPart(const std::vector<std::string>& columns, char 
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+/// The first column of a header that no pose has; empty where there is none, and for a comment in
+/// words.
+std::string oddOneOf(const std::vector<std::string>& columns) {
+  constexpr std::ptrdiff_t kFewestAxes = 3;
+  const auto is_axis = [](const std::string& name) {
+    return name.find_last_of("xyzw") == name.size() - 1;
+  };
+  const auto is_known = [&](const std::string& name) {
+    const auto has = [&name](const char* part) { return name.find(part) != std::string::npos; };
+    return is_axis(name) || has("time") || has("stamp") || has("sec") || name == "t" ||
+           name == "id";
+  };
+  if (std::count_if(columns.begin(), columns.end(), is_axis) < kFewestAxes) return "";
+  const auto odd = std::find_if_not(columns.begin(), columns.end(), is_known);
+  return odd == columns.end() ? "" : *odd;
+}
+
 Format formatOf(const std::string& path, const SequenceReaderConfig& config) {
   Format format;
   const std::string beginning = readBeginning(path, kMaxHeaderBytes);
@@ -91,6 +115,7 @@ Format formatOf(const std::string& path, const SequenceReaderConfig& config) {
   format.has_id = columns.size() == kPoseFieldCount + 1 && columns.back() == "id";
   format.has_further_columns = columns.size() > kPoseFieldCount + 1;
   format.stamp_unit_s = statedUnit_s(beginning);
+  format.odd_column = oddOneOf(columns);
   return format;
 }
 
@@ -109,7 +134,7 @@ std::string readPose(const std::vector<std::string>& words, const std::string& w
   const double norm = rotation.norm();
   if (!(std::abs(norm - 1.0) <= kUnitQuaternionTolerance)) {
     return refuse(where, "the quaternion has norm " + toText(norm),
-                  "1 within " + toText(kUnitQuaternionTolerance) + " is needed")
+                  "1 within " + toText(kUnitQuaternionTolerance) + " is needed" + oddColumn(format))
         .what();
   }
   pose = Pose::Identity();
@@ -129,8 +154,8 @@ std::string formProblem(const TextLine& line, std::size_t words, const std::stri
   const std::size_t exact = format.has_id ? kPoseFieldCount + 1 : kPoseFieldCount;
   const bool fits = words == exact || (format.has_further_columns && words > kPoseFieldCount);
   if (fits) return "";
-  return refuse(where, "\"" + shown(line.text) + "\" has " + std::to_string(words) + " fields",
-                needed)
+  return refuse(where, "\"" + shown(line.text) + "\" has " + counted(words, "field"),
+                needed + oddColumn(format))
       .what();
 }
 
