@@ -20,6 +20,7 @@
 #include "interrupt.hpp"
 #include "io/external_rooms.hpp"
 #include "io/file_bytes.hpp"
+#include "io/text_lines.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/output_folder.hpp"
 #include "occusg/io/results.hpp"
@@ -270,8 +271,8 @@ BatchEnd runBatch(const BatchOptions& options) {
   std::vector<Task> tasks = tasksOf(options);
   const std::size_t all = tasks.size();
   tasks.erase(std::remove_if(tasks.begin(), tasks.end(), isFinished), tasks.end());
-  std::printf("%zu runs, %zu of them finished before, %zu at a time\n", all, all - tasks.size(),
-              options.jobs);
+  std::printf("%s, %zu of them finished before, %zu at a time\n", counted(all, "run").c_str(),
+              all - tasks.size(), options.jobs);
   std::fflush(stdout);
   catchInterrupts();
   return BatchRun(options, std::move(tasks)).run();

@@ -13,6 +13,7 @@
 #include "interrupt.hpp"
 #include "io/occusg_1_0_file.hpp"
 #include "io/room_labels_file.hpp"
+#include "io/text_lines.hpp"
 #include "mask_source.hpp"
 #include "occusg/error.hpp"
 #include "occusg/graph/graph_query.hpp"
@@ -236,8 +237,9 @@ std::optional<double> goOn(Pipeline& pipeline, const po::variables_map& values) 
   }
   sayWhatWasCut(*session.map, *session_folder);
   if (const std::size_t stamps = repairStamps(session.state, latestCredibleStamp()); stamps > 0) {
-    std::cerr << "occusg: " << *session_folder << ": " << stamps
-              << " stamps are from the future; taken as of the latest stamp before\n";
+    std::cerr << "occusg: " << *session_folder << ": " << counted(stamps, "stamp")
+              << (stamps == 1 ? " is" : " are")
+              << " from the future; taken as of the latest stamp before\n";
   }
   const double stamp_s = session.state.stamp_s;
   pipeline.resume(std::move(session));
@@ -313,7 +315,7 @@ void tellDoubtsOnRooms(const Pipeline& pipeline, const SequenceReader& sequence,
 
 void printCounts(const PipelineCounts& counts) {
   const PixelDrops& drops = counts.pixel_drops;
-  std::cout << "\n  " << counts.frames << " frames, " << counts.points
+  std::cout << "\n  " << counted(counts.frames, "frame") << ", " << counts.points
             << " points; pixels dropped: " << drops.zero << " without return, " << drops.too_near
             << " too near, " << drops.too_far << " too far, "
             << drops.nan + drops.infinite + drops.negative + drops.implausible << " not a depth\n  "
@@ -325,20 +327,20 @@ void printCounts(const PipelineCounts& counts) {
               << " refused; " << counts.objects.merged << " objects merged, "
               << counts.objects.ghosts << " removed as ghosts\n";
   }
-  const auto say = [](std::size_t count, const char* what) {
-    if (count > 0) std::cout << "  " << count << what << '\n';
+  const auto say = [](std::size_t count, const char* one, const char* what) {
+    if (count > 0) std::cout << "  " << counted(count, one) << what << '\n';
   };
-  say(counts.points_outside_map,
-      " points ignored: they lie beyond the 32 768 voxels an OctoMap reaches from its origin");
-  say(counts.frames_outside_map, " frames from outside the map, ignored");
-  say(counts.frames_too_fast,
-      " frames ignored: their pose jumped farther than perception.poses.max_speed_m_s allows");
-  say(counts.frames_beyond_span,
-      " frames ignored: with them the map would span more than a free-space layer can");
-  say(counts.frames_without_depth, " frames without any depth");
-  say(counts.frames_from_occupied, " frames from inside an occupied voxel, not mapped");
-  say(counts.frames_without_memory,
-      " frames not mapped: the map has reached mapping.occupancy.max_memory_mb");
+  say(counts.points_outside_map, "point",
+      " ignored: beyond the 32 768 voxels an OctoMap reaches from its origin");
+  say(counts.frames_outside_map, "frame", " from outside the map, ignored");
+  say(counts.frames_too_fast, "frame",
+      " ignored: the pose jumped farther than perception.poses.max_speed_m_s allows");
+  say(counts.frames_beyond_span, "frame",
+      " ignored: the map would span more than a free-space layer can");
+  say(counts.frames_without_depth, "frame", " without any depth");
+  say(counts.frames_from_occupied, "frame", " from inside an occupied voxel, not mapped");
+  say(counts.frames_without_memory, "frame",
+      " not mapped: the map has reached mapping.occupancy.max_memory_mb");
 }
 
 void reportSkipped(const std::vector<std::string>& sentences, const std::string& what) {
@@ -454,7 +456,8 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   printTimes(times);
   printCounts(pipeline.counts());
   if (outcome.frames_known > 0)
-    std::cout << "  " << outcome.frames_known << " frames the session knows already, left out\n";
+    std::cout << "  " << counted(outcome.frames_known, "frame")
+              << " the session knows already, left out\n";
   reportBadInput(sequence, outcome);
   for (const std::string& problem : problems) std::cerr << "occusg: " << problem << '\n';
   if (problems.empty()) std::cout << "\nResults are in " << folder.path() << '\n';

@@ -10,6 +10,7 @@
 #include "command_line.hpp"
 #include "graph_question.hpp"
 #include "io/result_index.hpp"
+#include "io/text_lines.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/scene_graph_file.hpp"
 
@@ -128,10 +129,11 @@ ExitCode showCommand(const std::vector<std::string>& arguments) {
     std::cout << answerTo(*asked, graph);
     return kFine;
   }
-  std::cout << "  " << cell(file.scene) << ": " << graph.nodes(NodeType::kRoom).size() << " rooms, "
-            << graph.nodes(NodeType::kObject).size() << " objects, "
-            << graph.nodes(NodeType::kNavigation).size() << " navigation nodes, "
-            << graph.nodes(NodeType::kAgent).size() << " agents\n";
+  std::cout << "  " << cell(file.scene) << ": "
+            << counted(graph.nodes(NodeType::kRoom).size(), "room") << ", "
+            << counted(graph.nodes(NodeType::kObject).size(), "object") << ", "
+            << counted(graph.nodes(NodeType::kNavigation).size(), "navigation node") << ", "
+            << counted(graph.nodes(NodeType::kAgent).size(), "agent") << '\n';
   printRooms(graph);
   printObjects(graph);
   printDoors(graph);

@@ -4,6 +4,7 @@
 
 #include "command_line.hpp"
 #include "io/house_file.hpp"
+#include "io/text_lines.hpp"
 #include "output_file.hpp"
 #include "output_place.hpp"
 
@@ -45,8 +46,8 @@ ExitCode truthCommand(const std::vector<std::string>& arguments) {
   const HouseTruth truth = readHouse(house, level);
   OutputFile(path).write(toJson(truth.rooms));
   for (const std::string& note : truth.notes) std::cerr << "occusg: " << note << '\n';
-  std::cout << truth.rooms.rooms.size() << " rooms, " << truth.rooms.doors.size() << " doors in "
-            << path << '\n';
+  std::cout << counted(truth.rooms.rooms.size(), "room") << ", "
+            << counted(truth.rooms.doors.size(), "door") << " in " << path << '\n';
   return kFine;
 }
 

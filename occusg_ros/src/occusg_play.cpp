@@ -73,11 +73,10 @@ bool parse(int argc, char** argv, Options& options) {
   const auto values = occusg_ros::parseToolOptions(argc, argv, named, options.sequences);
   if (!values) return false;
   options.with_color = values->count("no-color") == 0;
-  if (options.sequences.size() != 1)
-    throw occusg::Error("occusg_play: name one sequence; see --help");
-  if (!(options.rate > 0.0)) throw occusg::Error("occusg_play: --rate must be above 0");
+  if (options.sequences.size() != 1) throw occusg::Error("name one sequence; see --help");
+  if (!(options.rate > 0.0)) throw occusg::Error("--rate must be above 0");
   if (options.scale < 1 || options.scale > kMaxScale)
-    throw occusg::Error("occusg_play: --scale must be 1 to " + std::to_string(kMaxScale));
+    throw occusg::Error("--scale must be 1 to " + std::to_string(kMaxScale));
   return true;
 }
 
@@ -158,7 +157,9 @@ void writeBag(const Recording& recording, const Options& options) {
     if (messages.color) bag.write(ns + "/rgb/image_rect_color", stamp, *messages.color);
     if (played->detections) bag.write(options.detections, stamp, *played->detections);
   }
-  std::cout << "wrote " << recording.sequence.size() << " frames to " << options.bag << '\n';
+  const std::size_t frames = recording.sequence.size();
+  std::cout << "wrote " << frames << (frames == 1 ? " frame to " : " frames to ") << options.bag
+            << '\n';
 }
 
 Publishers advertise(ros::NodeHandle& nh, const Options& options, bool has_objects) {

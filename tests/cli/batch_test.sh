@@ -65,7 +65,7 @@ grep -q "6 runs, 3 of them finished before" out.txt || fail "finished scenes are
 rm -r rec/broken
 printf 'regions:\n  period_s: 0.7\n' > default.yaml
 expect "other parameters" 0 "" batch rec/a -o one --config default.yaml
-grep -q "1 runs, 0 of them finished" out.txt || fail "a run with other parameters is not run again"
+grep -q "^1 run, 0 of them finished" out.txt || fail "a run with other parameters is not run again"
 
 # --- Shards, merged, give the same tables
 expect "whole" 0 "" batch rec/a rec/b -o whole --config default --decomposer dude
@@ -120,7 +120,7 @@ grep -q "decomposer: dude" "ablation/depth_threshold_m=30/a/config.yaml" || fail
 
 # --- Truth of a Matterport3D house
 expect "truth" 0 "region 4 has no footprint" truth mp3d "$house" -o house.json
-grep -q "4 rooms, 1 doors" out.txt || fail "truth: counts"
+grep -q "4 rooms, 1 door in" out.txt || fail "truth: counts"
 expect "truth of one level" 1 "level 9" truth mp3d "$house" -o level.json --level 9
 expect "unknown format" 2 "mp3d" truth scannet "$house" -o level.json
 expect "eval of a house against itself" 0 "" eval house.json house.json

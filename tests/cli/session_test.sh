@@ -85,7 +85,7 @@ grep -q "kept: is fine$" out.txt || fail "session check of a session with a map"
 cp -r half_way future && sed -i -E 's/"stamp_s": [0-9.]+/"stamp_s": 4294967295.0/' future/session.json
 expect "stamp from the future" 1 "" session check future
 grep -q "from the future" out.txt || fail "session check does not tell of stamps from the future"
-expect "resume a session of the future" 0 "stamps are from the future" run whole -o from_future --resume future
+expect "resume a session of the future" 0 "1 stamp is from the future" run whole -o from_future --resume future
 cp -r kept changed && sed -i 's/"floor_id":0/"floor_id":1/' changed/scene_graph.json
 expect "resume a changed session" 1 "not what the session was saved with" run whole -o other --resume changed
 expect "repair" 0 "" session repair changed

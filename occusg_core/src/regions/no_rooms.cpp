@@ -58,8 +58,9 @@ std::string whyNoRooms(const FreeSpace& layer, double min_region_area_m2) {
   const double largest_m2 =
       static_cast<double>(*std::max_element(pieces.begin(), pieces.end())) * cell_m2;
   return squareMetres(free_m2) + " are free in " + std::to_string(pieces.size()) +
-         " pieces, the largest of " + squareMetres(largest_m2) + "; a region needs " +
-         squareMetres(min_region_area_m2) + " in which a robot fits; " + rest;
+         (pieces.size() == 1 ? " piece" : " pieces") + ", the largest of " +
+         squareMetres(largest_m2) + "; a region needs " + squareMetres(min_region_area_m2) +
+         " in which a robot fits; " + rest;
 }
 
 }  // namespace occusg

@@ -132,7 +132,7 @@ TEST(SequenceReader, PoseLineWithoutReadableStampIsReported) {
 
 TEST(SequenceReader, BrokenDepthLinesSpoilTheirFramesOnly) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
-      {"0.2", {"depth.txt:2", "has 1 fields", "timestamp path"}},
+      {"0.2", {"depth.txt:2", "has 1 field;", "timestamp path"}},
       {"x depth/1.png", {"depth.txt:2", "timestamp is \"x\"", "finite number"}},
       {"-inf depth/1.png", {"depth.txt:2", "timestamp is \"-inf\""}},
       {"0.2 /etc/passwd", {"depth.txt:2", "\"/etc/passwd\" leaves the folder", "without \"..\""}},
@@ -224,7 +224,7 @@ TEST(SequenceReader, ColourAndLabelsAreFoundBesideTheDepth) {
   EXPECT_EQ(reader.truthPath(), sequence.folder.at("rooms.json"));
   ASSERT_EQ(reader.unusableLines().size(), 3U);
   EXPECT_TRUE(tells(reader.unusableLines()[0], {"rgb.txt:3", "leaves the folder"}));
-  EXPECT_TRUE(tells(reader.unusableLines()[1], {"rgb.txt:4", "has 1 fields"}));
+  EXPECT_TRUE(tells(reader.unusableLines()[1], {"rgb.txt:4", "has 1 field;"}));
   EXPECT_TRUE(tells(reader.unusableLines()[2], {"rgb.txt:5", "timestamp is \"x\""}));
 }
 

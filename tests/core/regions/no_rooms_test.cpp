@@ -25,6 +25,12 @@ TEST(WhyNoRooms, SaysHowMuchIsFreeAndInHowLargePieces) {
   EXPECT_NE(why.find("6.25 m2 are occupied and 1.00 m2 unknown"), std::string::npos) << why;
 }
 
+TEST(WhyNoRooms, SaysOnePieceInTheSingular) {
+  FreeSpace layer = solid(2.0, 2.0);
+  fill(layer, 0.5, 0.5, 1.0, 1.0);
+  EXPECT_NE(whyNoRooms(layer, 1.0).find("0.25 m2 are free in 1 piece, the"), std::string::npos);
+}
+
 TEST(WhyNoRooms, SaysThatNothingIsFree) {
   EXPECT_NE(whyNoRooms(solid(1.0, 1.0), 1.0).find("no cell is free; 1.00 m2 are occupied"),
             std::string::npos);

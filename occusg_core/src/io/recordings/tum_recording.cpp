@@ -61,8 +61,7 @@ std::string formProblem(const TextLine& line, const std::string& where) {
   }
   const std::size_t words = wordsOf(line.text).size();
   if (words >= 2) return "";
-  return refuse(where, "\"" + shown(line.text) + "\" has " + std::to_string(words) + " fields",
-                kNeeded)
+  return refuse(where, "\"" + shown(line.text) + "\" has " + counted(words, "field"), kNeeded)
       .what();
 }
 
@@ -142,7 +141,7 @@ Associations splitAssociations(const std::string& path) {
   for (const TextLine& line : readLines(path)) {
     const std::vector<std::string> words = wordsOf(line.text);
     if (words.size() != kAssociationFields) {
-      throw refuse(placeOf(path, line), "has " + std::to_string(words.size()) + " fields",
+      throw refuse(placeOf(path, line), "has " + counted(words.size(), "field"),
                    "\"timestamp path timestamp path\" is needed");
     }
     TextLine first{line.number, words[0] + " " + words[1]};
