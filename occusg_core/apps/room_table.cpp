@@ -7,6 +7,8 @@
 #include <iostream>
 #include <set>
 
+#include "io/json_text.hpp"
+
 namespace occusg::apps {
 
 void printRooms(const RoomsFile& rooms) {
@@ -17,9 +19,10 @@ void printRooms(const RoomsFile& rooms) {
       if (door.room_a == room.id) joined.insert(door.room_b);
       if (door.room_b == room.id) joined.insert(door.room_a);
     }
+    // Rounded as in scene_graph.json, so that 'occusg show' prints the same.
     std::cout << std::setw(6) << room.id << "  " << std::left << std::setw(16) << room.label
               << std::right << std::setw(9) << std::fixed << std::setprecision(2)
-              << area(room.polygon) << "  ";
+              << occusg::rounded(area(room.polygon)) << "  ";
     for (const int other : joined) std::cout << other << ' ';
     std::cout << '\n';
   }
