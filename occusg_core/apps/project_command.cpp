@@ -8,6 +8,7 @@
 
 #include "command_line.hpp"
 #include "io/overview_picture.hpp"
+#include "io/text_lines.hpp"
 #include "mapping/layer_without_rays.hpp"
 #include "occusg/error.hpp"
 #include "occusg/io/map_files.hpp"
@@ -55,14 +56,14 @@ OccupancyMapConfig configFor(const OctomapHeader& header, const PipelineConfig& 
   return fitted;
 }
 
-void report(const OctomapHeader& header, const FreeSpace& layer) {
+void report(std::size_t nodes, const OctomapHeader& header, const FreeSpace& layer) {
   const Grid<std::int8_t> dense = layer.cells.dense();
   const std::vector<std::int8_t>& cells = dense.values();
   const auto free = static_cast<double>(std::count(cells.begin(), cells.end(), kFree));
   const auto unknown = static_cast<double>(std::count(cells.begin(), cells.end(), kUnknown));
   const double cell_m2 = layer.frame.cellArea();
-  std::cout << "\n  " << header.node_count << " nodes, voxels of " << header.resolution_m
-            << " m\n  " << layer.cells.box().width() << " x " << layer.cells.box().height()
+  std::cout << "\n  " << counted(nodes, "node") << ", voxels of " << header.resolution_m << " m\n  "
+            << layer.cells.box().width() << " x " << layer.cells.box().height()
             << " cells: " << std::fixed << std::setprecision(2) << free * cell_m2 << " m2 free, "
             << (static_cast<double>(cells.size()) - free - unknown) * cell_m2 << " m2 obstacles\n";
 }
@@ -99,6 +100,8 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
   const UnseenSpace unseen =
       values.count("unknown-is-free") > 0 ? UnseenSpace::kFree : UnseenSpace::kUnknown;
   if (!has_rays && unseen == UnseenSpace::kUnknown) tellNoRays(path, strict);
+  if (has_rays && unseen == UnseenSpace::kFree)
+    std::cerr << "occusg: " << path << ": has free voxels, so --unknown-is-free changes nothing\n";
   const FreeSpace layer = has_rays ? projection.recompute(map)
                                    : layerWithoutRays(map.tree(), config.free_space, unseen);
 
@@ -114,7 +117,8 @@ ExitCode projectCommand(const std::vector<std::string>& arguments) {
   folder.write("free_space.yaml", files.yaml);
   folder.write("overview.png", encodePng(drawOverview(layer, {name, {}, {}, {}})));
 
-  report(header, layer);
+  // Where the file declares another number, the tree is what was read.
+  report(assumptions.empty() ? header.node_count : map.tree().size(), header, layer);
   std::cout << "\nResults are in " << folder.path() << '\n';
   return kFine;
 }

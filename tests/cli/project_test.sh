@@ -44,6 +44,14 @@ refused "map without rays, strict" "--unknown-is-free" project walls_only.bt --s
 expect "unknown is free" 0 "" project walls_only.bt -o walls --unknown-is-free
 grep -q "0.64 m2 free, 0.36 m2 obstacles" out.txt || fail "unknown is free: the room is not free"
 
+expect "unknown is free in a map with rays" 0 "first/map.ot: has free voxels, so --unknown-is-free changes nothing" \
+  project first/map.ot -o with_rays --unknown-is-free
+cmp -s with_rays/free_space.pgm projected/free_space.pgm || fail "unknown is free in a map with rays: another layer"
+nodes=$(sed -n 's/^size //p' first/map.ot | head -n 1)
+sed 's/^size .*/size 5/' first/map.ot > declares_five.ot
+expect "another number of nodes than declared" 0 "holds $nodes nodes, 5 are declared" project declares_five.ot -o five
+grep -q "^  $nodes nodes" out.txt || fail "another number of nodes than declared: the declared one is reported"
+
 # --- Maps that cannot be used
 refused "no map" "does not exist" project nowhere.bt
 refused "run from no map" "does not exist" run short --map nowhere.bt
