@@ -212,6 +212,14 @@ class BagToolsTest(unittest.TestCase):
         self.assertIn("has no camera_info on /left/camera_info; it has none on any topic", sentence)
         self.assertFalse(os.path.exists(out))
 
+    def test_results_do_not_go_into_a_session(self):
+        session = os.path.join(WORK, "session")
+        os.makedirs(session)
+        with open(os.path.join(session, "session.json"), "w") as file:
+            file.write('{\n"format": "occusg-session"}\n')
+        self.assertIn("holds a saved session", self.refused(BAG, self.bag, "-o", session))
+        self.assertEqual(os.listdir(session), ["session.json"])
+
     def bag_of_two_cameras(self):
         path = os.path.join(WORK, "two.bag")
         with rosbag.Bag(self.bag) as bag, rosbag.Bag(path, "w") as two:
