@@ -21,7 +21,7 @@ if [ "$what" = mapping ]; then variable=OCCUSG_RGBD_DIR; fi
 ros=(--without-ros)
 if [ "$what" = shutdown ]; then ros=(); fi
 "$root/scripts/install_dependencies.sh" --for development "${ros[@]}" >&2
-"$root/scripts/build.sh" --no-install "${ros[@]}" -D$variable="$data" > "$root/build/bench.log" 2>&1 || {
+"$root/scripts/build.sh" --no-install "${ros[@]}" -DOCCUSG_BUILD_BENCHMARKS=ON -D$variable="$data" > "$root/build/bench.log" 2>&1 || {
   tail -n 40 "$root/build/bench.log" >&2
   exit 1
 }

@@ -34,6 +34,10 @@ constexpr double kFewValidPixels = 0.05;
 
 }  // namespace
 
+occusg::Storeys storeysIn(const MappingSettings& settings) {
+  return settings.find_storeys ? occusg::Storeys::kFound : occusg::Storeys::kOne;
+}
+
 MappingNode::MappingNode(const NodeHandles& handles)
     : handles_(handles),
       settings_(readSettings<MappingSettings>(handles.parameters, config_)),
@@ -48,7 +52,7 @@ MappingNode::MappingNode(const NodeHandles& handles)
              [this](const std::string& problem) { noteSave(kDefaultSaveName, problem); }),
       tf_(ros::Duration(settings_.tf_cache_s)),
       tf_input_(tf_),
-      storeys_(handles.inputs),
+      storeys_(handles.inputs, storeysIn(settings_)),
       diagnostics_(handles.inputs, handles.parameters, handles.name) {
   advertise();
   resume();

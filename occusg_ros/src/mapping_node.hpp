@@ -42,6 +42,9 @@
 
 namespace occusg_ros {
 
+/// Whether the settings let a building have several storeys.
+[[nodiscard]] occusg::Storeys storeysIn(const MappingSettings& settings);
+
 /// Depth images, camera information and tf -> occupancy map and free space. Callbacks only put
 /// things down; the map belongs to the worker's thread.
 class MappingNode {

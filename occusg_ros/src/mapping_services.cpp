@@ -31,9 +31,7 @@ occusg::Building buildingIn(const std::string& folder, const occusg::OccupancyMa
 }  // namespace
 
 std::unique_ptr<occusg::MapPipeline> MappingNode::emptyMap() const {
-  const occusg::Storeys storeys =
-      settings_.find_storeys ? occusg::Storeys::kFound : occusg::Storeys::kOne;
-  return std::make_unique<occusg::MapPipeline>(config_, storeys);
+  return std::make_unique<occusg::MapPipeline>(config_, storeysIn(settings_));
 }
 
 void MappingNode::resetMap() {
@@ -103,8 +101,12 @@ void MappingNode::noteSave(const std::string& folder, const std::string& problem
 void MappingNode::load(const std::string& name) {
   // Into a fresh one: a file that cannot be used leaves the live map as it is.
   std::unique_ptr<occusg::MapPipeline> loaded = emptyMap();
-  loaded->startFrom(occusg::readOctomap(mapFileIn(folderOf(name)), config_.occupancy),
-                    buildingIn(folderOf(name), config_.occupancy));
+  const occusg::Building building = buildingIn(folderOf(name), config_.occupancy);
+  loaded->startFrom(occusg::readOctomap(mapFileIn(folderOf(name)), config_.occupancy), building);
+  if (!settings_.find_storeys && building.storeys.size() > 1) {
+    ROS_WARN_STREAM(handles_.name << ": " << name << " has " << building.storeys.size()
+                                  << " storeys; ~find_storeys is false, so they become one");
+  }
   const occusg::FarIslands& cut = loaded->occupancyMap().cutIslands();
   if (!cut.none()) ROS_WARN_STREAM(handles_.name << ": " << name << ": " << sentenceOn(cut));
   map_ = std::move(loaded);

@@ -206,6 +206,7 @@ bool SceneGraphNode::onLoad(occusg::LoadMap::Request& request,
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.clear();
+    waiting_storeys_.clear();
   }
   std::string problem = onWorker([this, name = request.name] { load(name); });
   if (problem.empty()) problem = askMapping<occusg::LoadMap>("load", request);
@@ -222,6 +223,7 @@ bool SceneGraphNode::onReset(std_srvs::Trigger::Request& request,
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       waiting_.clear();
+      waiting_storeys_.clear();
     }
     problem = onWorker([this] { resetGraph(); });
   }

@@ -20,7 +20,8 @@ constexpr std::uint32_t kLayersQueue = 200;
 
 }  // namespace
 
-StoreyPublisher::StoreyPublisher(const ros::NodeHandle& node_handle) : node_handle_(node_handle) {
+StoreyPublisher::StoreyPublisher(const ros::NodeHandle& node_handle, occusg::Storeys storeys)
+    : node_handle_(node_handle), storeys_(storeys) {
   layers_publisher_ = node_handle_.advertise<occusg::StoreyFreeSpace>(
       "storey_layers", kLayersQueue,
       [this](const ros::SingleSubscriberPublisher&) { has_new_subscriber_ = true; });
@@ -28,7 +29,11 @@ StoreyPublisher::StoreyPublisher(const ros::NodeHandle& node_handle) : node_hand
 
 void StoreyPublisher::send(occusg::MapPipeline& map, const std_msgs::Header& header) {
   const occusg::Building& building = map.building();
-  if (building.storeys.size() < 2) return;
+  if (building.storeys.size() < 2) {
+    if (storeys_ == occusg::Storeys::kOne && has_new_subscriber_.exchange(false))
+      sendLayer(map, 0, header);
+    return;
+  }
   while (grid_publishers_.size() < building.storeys.size()) {
     const std::string topic = "free_space/" + std::to_string(grid_publishers_.size());
     grid_publishers_.push_back(node_handle_.advertise<nav_msgs::OccupancyGrid>(topic, 1, true));
@@ -42,9 +47,9 @@ void StoreyPublisher::send(occusg::MapPipeline& map, const std_msgs::Header& hea
 }
 
 void StoreyPublisher::forget(const occusg::MapPipeline& map, const std_msgs::Header& header) {
-  if (grid_publishers_.empty()) return;
+  const bool is_awaited = !grid_publishers_.empty() || storeys_ == occusg::Storeys::kOne;
   grid_publishers_.clear();
-  if (map.building().storeys.size() < 2) sendLayer(map, 0, header);
+  if (is_awaited && map.building().storeys.size() < 2) sendLayer(map, 0, header);
   has_new_subscriber_ = true;
 }
 

@@ -117,7 +117,7 @@ std::map<std::string, FileMark> filesIn(const json& value, const std::string& wh
   if (value.is_object() && value.contains("map.ot")) names.emplace_back("map.ot");
   for (const std::string& name : names) {
     const std::string place = where + " " + name;
-    const json& mark = member(value, name.c_str(), where);
+    const json& mark = member(value, name, where);
     const json& bytes = member(mark, "bytes", place);
     const std::string checksum = stringOf(member(mark, "fnv1a", place), place + " fnv1a");
     FileMark& read = files[name];

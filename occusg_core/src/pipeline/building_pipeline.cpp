@@ -121,7 +121,7 @@ void BuildingPipeline::maintain(const Pose& T_map_robot, double stamp_s,
     skipIdsOfOthers(storey);
     if (storey == building_.current) {
       rooms_[storey].maintain(T_map_robot, stamp_s);
-    } else if (storey < layers.size()) {
+    } else if (storey < layers.size() && !layers[storey].cells.empty()) {
       rooms_[storey].maintainUnattended(layers[storey], stamp_s);
     }
   }

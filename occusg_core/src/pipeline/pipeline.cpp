@@ -24,8 +24,9 @@ void add(RefusedMasks& sum, const RefusedMasks& refused) {
 
 Pipeline::Pipeline(const PipelineConfig& config, std::unique_ptr<Decomposer> decomposer)
     : config_(config),
+      storeys_(decomposer ? Storeys::kOne : Storeys::kFound),
       detection_builder_(config.detection),
-      map_(config, decomposer ? Storeys::kOne : Storeys::kFound),
+      map_(config, storeys_),
       rooms_(config, std::move(decomposer)) {}
 
 void Pipeline::startFrom(OccupancyMap map) {
@@ -38,6 +39,11 @@ void Pipeline::resume(Session session) {
   if (!session.map) throw refuse("session", "has no map", "the map it goes with is needed");
   if (last_stamp_s_)
     throw refuse("session", "comes after the first frame", "a session to resume comes before it");
+  const std::size_t storeys = session.state.building.storeys.size();
+  if (storeys_ == Storeys::kOne && storeys > 1) {
+    throw refuse("session", "has " + std::to_string(storeys) + " storeys",
+                 "with a decomposer of its own a pipeline has one");
+  }
   map_.startFrom(std::move(*session.map), session.state.building);
   rooms_.resumeFrom(session.state);
   last_room_update_s_ = rooms_.lastUpdate();

@@ -18,7 +18,9 @@ namespace occusg_ros {
 /// of one storey has neither.
 class StoreyPublisher {
  public:
-  explicit StoreyPublisher(const ros::NodeHandle& node_handle);
+  /// @param storeys whether the map may have several. Where it may not, `storey_layers` says once
+  /// that the building has one: whoever knows it from a session may know more.
+  StoreyPublisher(const ros::NodeHandle& node_handle, occusg::Storeys storeys);
 
   /// Publishes the layers that changed since the last call, and that of the current storey; all of
   /// them when somebody has subscribed since.
@@ -33,6 +35,7 @@ class StoreyPublisher {
                  const std_msgs::Header& header);
 
   ros::NodeHandle node_handle_;
+  occusg::Storeys storeys_;
   std::atomic<bool> has_new_subscriber_{false};
   ros::Publisher layers_publisher_;
   std::vector<ros::Publisher> grid_publishers_;  ///< By storey; none while there is one.

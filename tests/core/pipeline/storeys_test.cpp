@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "error_sentence.hpp"
@@ -324,6 +325,15 @@ TEST(Storeys, SessionOfOneStoreyGoesOnUpstairs) {
   for (const auto& [id, room] : resumed.graph().nodes(NodeType::kRoom))
     floors.insert(room.floor_id);
   EXPECT_EQ(floors, (std::set<int>{0, 1}));
+}
+
+TEST(Storeys, SessionOfSeveralStoreysNeedsThePipelinesOwnDecomposer) {
+  Pipeline before{PipelineConfig{}};
+  for (const DepthFrame& frame : tourOfBothStoreys()) before.process(frame);
+  Session session{OccupancyMap(OccupancyMapConfig{}), before.sessionState("house")};
+  Pipeline after(PipelineConfig{}, makeDecomposer(PipelineConfig{}));
+  EXPECT_TRUE(
+      tells(sentenceOf([&] { after.resume(std::move(session)); }), {"2 storeys", "decomposer"}));
 }
 
 TEST(Storeys, SessionWithRoomsOfOneStoreyTooFewIsRefused) {

@@ -5,6 +5,7 @@ import json
 import os
 import shutil
 import sys
+import time
 import unittest
 
 import rospy
@@ -182,6 +183,23 @@ class StoreysTest(unittest.TestCase):
             self.assertEqual(sorted(room.id for room in self.rooms()), before)
             layer = rospy.wait_for_message("/occusg/free_space/0", OccupancyGrid, 20)
             self.assertEqual(layer.data, cells)
+        finally:
+            shutil.rmtree(saved.folder)
+
+    def test_failure_mode_17_few_bytes_that_stand_for_a_building_are_refused_at_once(self):
+        saved = rospy.ServiceProxy("/occusg/scene_graph/save", SaveMap)("bomb")
+        self.assertTrue(saved.success, saved.message)
+        try:
+            shutil.rmtree(os.path.join(saved.folder, "session"))
+            # One free leaf of 2048 voxels a side.
+            with open(os.path.join(saved.folder, "map.ot"), "wb") as file:
+                file.write(b"# Octomap OcTree binary file\nid OcTree\nsize 6\nres 0.05\ndata\n" +
+                           bytes([3, 0] * 4 + [1, 0]))
+            started = time.monotonic()
+            loaded = rospy.ServiceProxy("/occusg/mapping/load", LoadMap)("bomb")
+            self.assertFalse(loaded.success)
+            self.assertIn("map.ot", loaded.message)
+            self.assertLess(time.monotonic() - started, 5.0)
         finally:
             shutil.rmtree(saved.folder)
 

@@ -66,7 +66,7 @@ class BuildingPipeline {
   /// @throws Error when the pose or the stamp is not finite.
   void observePose(const Pose& T_map_robot, double stamp_s);
   /// Follows the robot and maintains the rooms between two updates, with the regions as they are.
-  /// @param layers of the storeys; as many as there are storeys, or fewer.
+  /// @param layers of the storeys; storeys whose layer is missing or empty are left as they are.
   /// @throws Error when the pose or the stamp is not finite.
   void maintain(const Pose& T_map_robot, double stamp_s, const std::vector<FreeSpace>& layers);
   /// Maintains the rooms of a storey a last time.

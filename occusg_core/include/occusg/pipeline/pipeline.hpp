@@ -52,7 +52,8 @@ class Pipeline {
 
   /// Goes on where a saved session ended, with the same ids; before the first frame. Frames must be
   /// younger than the session's last.
-  /// @throws Error as `startFrom`, or when the session has no map.
+  /// @throws Error as `startFrom`, or when the session has no map, or has several storeys and this
+  /// pipeline a decomposer of its own.
   void resume(Session session);
   /// What to save beside `occupancyMap()` so that another pipeline can continue from here; to be
   /// taken before `finish`, which decides what only an end decides.
@@ -103,6 +104,7 @@ class Pipeline {
   [[nodiscard]] bool roomsAreDue(double stamp_s) const;
 
   PipelineConfig config_;
+  Storeys storeys_;
   DetectionBuilder detection_builder_;
   MapPipeline map_;
   BuildingPipeline rooms_;
