@@ -455,9 +455,10 @@ ExitCode runCommand(const std::vector<std::string>& arguments) {
   tellDoubtsOnRooms(pipeline, sequence, frames);
   printTimes(times);
   printCounts(pipeline.counts());
-  if (outcome.frames_known > 0)
+  if (outcome.frames_known > 0) {
     std::cout << "  " << counted(outcome.frames_known, "frame")
               << " the session knows already, left out\n";
+  }
   reportBadInput(sequence, outcome);
   for (const std::string& problem : problems) std::cerr << "occusg: " << problem << '\n';
   if (problems.empty()) std::cout << "\nResults are in " << folder.path() << '\n';

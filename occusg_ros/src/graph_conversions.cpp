@@ -277,9 +277,9 @@ std::vector<occusg::DoorInfo> toDoorMsgs(const SceneGraph& graph) {
   if (!msgs.empty()) return msgs;
   // A graph without door nodes has them on its edges.
   for (const auto& [ends, edge] : graph.edges(EdgeType::kRoomAdjacency)) {
+    const Node& room = graph.at(ends.first);
     for (const occusg::Segment2& segment : edge.crossings)
-      msgs.push_back(doorMsg(kNone, ends, segment, graph.at(ends.first).floor_id,
-                             graph.at(ends.first).position.z()));
+      msgs.push_back(doorMsg(kNone, ends, segment, room.floor_id, room.position.z()));
   }
   return msgs;
 }

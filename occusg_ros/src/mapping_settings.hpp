@@ -44,13 +44,35 @@ struct MappingSettings {
   MappingLive live;
 };
 
+/// What can change while the node runs, by name.
+/// @param live outlives the parameters.
+[[nodiscard]] inline std::vector<occusg::Parameter> parametersOf(MappingLive& live) {
+  using occusg::countParameter;
+  using occusg::numberParameter;
+  return {
+      numberParameter(live.tf_timeout_s, {0.0, 60.0},
+                      {"tf_timeout_s", "s", "Time that an image waits for its transform."}),
+      numberParameter(
+          live.voxels_period_s, {0.1, 3600.0},
+          {"voxels_period_s", "s", "Period in which the occupied voxels are published."}),
+      numberParameter(
+          live.pose_gate.max_jump_m, {0.01, 1000.0},
+          {"max_pose_jump_m", "m",
+           "Distance between two frames beyond which the second is held back as a jump."}),
+      numberParameter(live.pose_gate.max_jump_rad, {0.01, 3.2},
+                      {"max_pose_jump_rad", "rad",
+                       "Angle between two frames beyond which the second is held back as a jump."}),
+      countParameter(live.pose_gate.frames_to_accept, {1, 1000},
+                     {"pose_jump_frames", "frames",
+                      "Number of frames in a row at a new place that count as a relocalisation."})};
+}
+
 /// The settings by name.
 /// @param settings outlives the parameters.
 [[nodiscard]] inline std::vector<occusg::Parameter> parametersOf(MappingSettings& settings) {
   using occusg::choiceParameter;
   using occusg::countParameter;
   using occusg::numberParameter;
-  MappingLive& live = settings.live;
   std::vector<occusg::Parameter> parameters = {
       textParameter(settings.map_frame, {"map_frame", "", "Frame of the map."}),
       textParameter(
@@ -99,24 +121,10 @@ struct MappingSettings {
            "Whether each storey of a building gets a free space of its own; false: one for all."}),
       numberParameter(
           settings.soft_memory_mib, {1.0, 1e6},
-          {"soft_memory_mib", "MiB", "Size of the map above which a warning is given."}),
-      numberParameter(live.tf_timeout_s, {0.0, 60.0},
-                      {"tf_timeout_s", "s", "Time that an image waits for its transform."}),
-      numberParameter(
-          live.voxels_period_s, {0.1, 3600.0},
-          {"voxels_period_s", "s", "Period in which the occupied voxels are published."}),
-      numberParameter(
-          live.pose_gate.max_jump_m, {0.01, 1000.0},
-          {"max_pose_jump_m", "m",
-           "Distance between two frames beyond which the second is held back as a jump."}),
-      numberParameter(live.pose_gate.max_jump_rad, {0.01, 3.2},
-                      {"max_pose_jump_rad", "rad",
-                       "Angle between two frames beyond which the second is held back as a jump."}),
-      countParameter(live.pose_gate.frames_to_accept, {1, 1000},
-                     {"pose_jump_frames", "frames",
-                      "Number of frames in a row at a new place that count as a relocalisation."})};
-  const std::vector<occusg::Parameter> saving = parametersOf(settings.saving, "maps");
-  parameters.insert(parameters.end(), saving.begin(), saving.end());
+          {"soft_memory_mib", "MiB", "Size of the map above which a warning is given."})};
+  for (const std::vector<occusg::Parameter>& others :
+       {parametersOf(settings.live), parametersOf(settings.saving, "maps")})
+    parameters.insert(parameters.end(), others.begin(), others.end());
   return parameters;
 }
 

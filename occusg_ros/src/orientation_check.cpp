@@ -35,12 +35,13 @@ std::string OrientationCheck::doubt() const {
   const occusg::MapOrientation map = estimator_.estimate();
   if (isTilted(map)) {
     const double off_deg = map.down_off_rad * kRadToDeg;
-    const std::string doubt = formatted(
+    std::string doubt = formatted(
         "down in the images is about %.0f degrees away from the map frame's -z: is z up there, and "
         "is the images' frame the camera's optical frame (z forward)?",
         off_deg);
-    if (off_deg < kUpsideDown_deg) return doubt;
-    return doubt + " If the camera was mounted upside down, nothing is to be done.";
+    if (off_deg >= kUpsideDown_deg)
+      doubt += " If the camera was mounted upside down, nothing is to be done.";
+    return doubt;
   }
   if (hasFarFloor(map)) {
     return formatted(

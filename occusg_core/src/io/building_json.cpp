@@ -45,9 +45,10 @@ StairsKind kindIn(const json& value, const std::string& where) {
 }
 
 Eigen::Vector3d pointIn(const json& value, const std::string& where) {
-  if (arrayOf(value, where).size() != 3)
+  if (arrayOf(value, where).size() != 3) {
     throw refuse(where, "has a point of " + std::to_string(value.size()) + " values",
                  "[x, y, z] is needed");
+  }
   return {heightOf(value[0], where), heightOf(value[1], where), heightOf(value[2], where)};
 }
 

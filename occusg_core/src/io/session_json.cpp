@@ -116,7 +116,8 @@ std::map<std::string, FileMark> filesIn(const json& value, const std::string& wh
   for (std::size_t storey = 0; storey < storeys; ++storey) names.push_back(graphFileOf(storey));
   if (value.is_object() && value.contains("map.ot")) names.emplace_back("map.ot");
   for (const std::string& name : names) {
-    const std::string place = where + " " + name;
+    std::string place = where;
+    place.append(" ").append(name);
     const json& mark = member(value, name, where);
     const json& bytes = member(mark, "bytes", place);
     const std::string checksum = stringOf(member(mark, "fnv1a", place), place + " fnv1a");

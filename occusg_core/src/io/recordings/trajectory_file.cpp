@@ -224,7 +224,7 @@ Trajectory readMatrices(const std::vector<TextLine>& lines, const std::string& p
   return trajectory;
 }
 
-void readLine(const TextLine& line, const std::string& path, Format format,
+void readLine(const TextLine& line, const std::string& path, const Format& format,
               Trajectory& trajectory) {
   const std::string where = placeOf(path, line);
   const std::vector<std::string> words = wordsOf(withSpaces(line.text));
