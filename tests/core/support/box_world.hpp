@@ -27,17 +27,22 @@ class BoxWorld {
   /// Distance from `origin` along `direction` to the first box, in lengths of `direction`;
   /// infinite when there is none.
   [[nodiscard]] double hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const {
+    // Plain numbers: sanitizers make every call of Eigen's slow, and this is called a lot.
+    const double* const from = origin.data();
+    const double* const along = direction.data();
     double nearest = std::numeric_limits<double>::infinity();
     for (const SolidBox& box : boxes_) {
+      const double* const low = box.min.data();
+      const double* const high = box.max.data();
       double enter = 0.0;
-      double leave = std::numeric_limits<double>::infinity();
-      for (int axis = 0; axis < 3; ++axis) {
-        const double a = (box.min[axis] - origin[axis]) / direction[axis];
-        const double b = (box.max[axis] - origin[axis]) / direction[axis];
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
+      double leave = nearest;
+      for (int axis = 0; axis < 3 && enter <= leave; ++axis) {
+        const double a = (low[axis] - from[axis]) / along[axis];
+        const double b = (high[axis] - from[axis]) / along[axis];
+        enter = std::max(enter, a < b ? a : b);
+        leave = std::min(leave, a < b ? b : a);
       }
-      if (enter <= leave) nearest = std::min(nearest, enter);
+      if (enter <= leave) nearest = enter;
     }
     return nearest;
   }
