@@ -30,19 +30,22 @@ std::size_t indexOf(std::int32_t floor_id, const occusg::Building& building,
 void SceneGraphNode::onGrid(const nav_msgs::OccupancyGridConstPtr& grid) {
   const CallbackTimes::Timing timing(callbacks_, "free space");
   if (has_mapped_storeys_) return;
-  health_.noteReceived();
-  if (paused_) {
-    health_.noteDropped(Drop::kPaused, "");
-    return;
-  }
-  if (refusesStamp(grid->header.stamp, grid_subscriber_.getTopic())) return;
-  if (refusesFrame(grid->header.frame_id, grid_subscriber_.getTopic())) return;
+  if (!takesMap(grid->header, grid_subscriber_.getTopic())) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     whole_grid_ = grid;
     if (waiting_.takeGrid(grid, steadySeconds())) health_.noteDropped(Drop::kOverload, "");
   }
   worker_->wake();
+}
+
+bool SceneGraphNode::takesMap(const std_msgs::Header& header, const std::string& topic) {
+  health_.noteReceived();
+  if (paused_) {
+    health_.noteDropped(Drop::kPaused, "");
+    return false;
+  }
+  return !refusesStamp(header.stamp, topic) && !refusesFrame(header.frame_id, topic);
 }
 
 bool SceneGraphNode::refusesFrame(const std::string& frame, const std::string& topic) {
@@ -86,13 +89,7 @@ void SceneGraphNode::onGaps(const occusg::OverheadGapsConstPtr& gaps) {
 
 void SceneGraphNode::onStoreyLayer(const occusg::StoreyFreeSpaceConstPtr& layer) {
   const CallbackTimes::Timing timing(callbacks_, "free space of a storey");
-  health_.noteReceived();
-  if (paused_) {
-    health_.noteDropped(Drop::kPaused, "");
-    return;
-  }
-  if (refusesStamp(layer->header.stamp, storey_subscriber_.getTopic())) return;
-  if (refusesFrame(layer->header.frame_id, storey_subscriber_.getTopic())) return;
+  if (!takesMap(layer->header, storey_subscriber_.getTopic())) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     StoreyLayerWaiting& waiting = waiting_storeys_[layer->floor_id];

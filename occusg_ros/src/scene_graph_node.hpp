@@ -106,6 +106,8 @@ class SceneGraphNode {
   /// Whether a message is refused for its stamp, which is then counted and said.
   [[nodiscard]] bool refusesStamp(const ros::Time& stamp, const std::string& topic);
   [[nodiscard]] bool refusesFrame(const std::string& frame, const std::string& topic);
+  /// Counts a map that arrived; whether it is used, unless it is refused later.
+  [[nodiscard]] bool takesMap(const std_msgs::Header& header, const std::string& topic);
   void onGridUpdate(const map_msgs::OccupancyGridUpdateConstPtr& update);
   void onGaps(const occusg::OverheadGapsConstPtr& gaps);
   void onStoreyLayer(const occusg::StoreyFreeSpaceConstPtr& layer);

@@ -86,8 +86,7 @@ json jsonOf(const Building& building) {
   json stairs = json::array();
   for (const StoreyPassage& passage : building.passages) {
     json path = json::array();
-    for (const Eigen::Vector3d& feet : passage.path)
-      path.push_back(json::array({rounded(feet.x()), rounded(feet.y()), rounded(feet.z())}));
+    for (const Eigen::Vector3d& feet : passage.path) path.push_back(jsonOf(feet));
     stairs.push_back({{"kind", nameOf(passage.kind)},
                       {"storeys", json::array({passage.lower_storey, passage.upper_storey})},
                       {"risers", passage.risers},
